@@ -1,0 +1,36 @@
+# Compiler settings shared by all of our targets, as interface targets, and the one-line test registration.
+
+add_library(ameco_settings INTERFACE)
+target_compile_features(ameco_settings INTERFACE cxx_std_20)
+target_compile_options(ameco_settings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -Wformat=2
+    # The same bytes from every compiler: no fused multiply-add behind our back.
+    -ffp-contract=off
+    $<$<BOOL:${AMECO_WARNINGS_AS_ERRORS}>:-Werror>)
+if(AMECO_SANITIZE)
+    target_compile_options(ameco_settings INTERFACE -fsanitize=${AMECO_SANITIZE} -fno-omit-frame-pointer
+        -fno-sanitize-recover=all)
+    target_link_options(ameco_settings INTERFACE -fsanitize=${AMECO_SANITIZE})
+endif()
+
+# ameco_add_test(<name> LABELS <label>...): builds <name>.cpp of the current folder as a Qt Test
+# executable; its CTest name is the path under tests/, e.g. core/metric/edge_length_test.
+function(ameco_add_test name)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "LABELS;LIBRARIES" ${ARGN})
+    file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
+    string(REPLACE "/" "_" prefix "${folder}")
+    set(target "${prefix}_${name}")
+    add_executable(${target} ${name}.cpp)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    target_compile_definitions(${target} PRIVATE
+        AMECO_SHARED_DIR="${AMECO_SHARED_DIR}"
+        AMECO_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+        AMECO_PROGRAM="$<TARGET_FILE:ameco>")
+    target_link_libraries(${target} PRIVATE ameco_core ameco_settings Qt6::Test ${ARG_LIBRARIES})
+    add_dependencies(${target} ameco)
+    add_test(NAME ${folder}/${name} COMMAND ${target})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 300)
+    endif()
+    set_tests_properties(${folder}/${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+
+namespace ameco {
+namespace {
+
+struct Threads {
+    int count = 0;
+    std::unique_ptr<tbb::global_control> control;
+};
+
+Threads& threads() {
+    static Threads instance;
+    return instance;
+}
+
+} // namespace
+
+void set_thread_count(int count) {
+    Threads& t = threads();
+    t.control.reset();
+    t.count = std::max(0, count);
+    if (t.count > 0) {
+        t.control = std::make_unique<tbb::global_control>(
+            tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(t.count));
+    }
+}
+
+int thread_count() {
+    return threads().count > 0 ? threads().count : tbb::info::default_concurrency();
+}
+
+void parallel_for(std::size_t n, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
+    const std::size_t pieces = (n + grain - 1) / grain;
+    const auto run = [&](std::size_t piece) {
+        body(piece * grain, std::min(n, (piece + 1) * grain));
+    };
+    if (pieces <= 1 || thread_count() == 1) {
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            run(piece);
+        }
+        return;
+    }
+    tbb::parallel_for(std::size_t{0}, pieces, run);
+}
+
+} // namespace ameco

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Files: recognise the format by its content, hand over to the format's own file.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/mesh/mesh.h"
+#include "core/metric/metric.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ameco {
+
+/// A record of a file that means nothing to us; carried from file to file by `convert`.
+struct OpaqueRecord {
+    int keyword = 0;               ///< the format's code
+    std::vector<std::byte> bytes;  ///< payload as it stands in the file, little-endian
+    friend bool operator==(const OpaqueRecord&, const OpaqueRecord&) = default;
+};
+
+/// What a mesh file holds.
+struct MeshFile {
+    std::variant<Mesh<3>, Mesh<2>> mesh;
+    std::string format;                ///< e.g. "Medit binary, version 2"
+    int format_version = 2;            ///< of the format, so that a conversion can keep it
+    std::vector<OpaqueRecord> carried; ///< records copied through by `convert`
+    std::vector<std::string> notes;    ///< one line each: what was unusual, skipped or assumed
+};
+
+struct MetricFile {
+    std::variant<MetricField<3>, MetricField<2>> field;
+    std::string format;
+    std::vector<std::string> notes;
+};
+
+struct WriteOptions {
+    int version = 2;                          ///< Medit version 1-4; raised when sizes demand it
+    const std::vector<OpaqueRecord>* carried = nullptr;
+};
+
+/// Reads a mesh as it stands in the file: nothing is turned, added or dropped (that is
+/// mesh/boundary.h). Recognises the format by content, then by suffix.
+/// \throws FileError   cannot be opened or read, or is truncated
+/// \throws InputError  not a mesh of a known format, or its numbers make no sense (the text names
+///                     file, place, entity and remedy)
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);
+
+/// Writes in the format of the suffix (.mesh, .meshb). The file appears whole or not at all: it is
+/// written beside its final place and then renamed. Returns one line per thing the format cannot carry.
+/// \throws FileError, UsageError (unknown suffix)
+template <int D>
+std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh<D>& mesh,
+                                    const WriteOptions& options = {});
+
+/// Reads a metric field (.sol, .solb). Every tensor must be symmetric positive definite: the first
+/// that is not is named.
+/// \throws FileError, InputError
+[[nodiscard]] MetricFile read_metric(const std::filesystem::path& path);
+
+template <int D>
+void write_metric(const std::filesystem::path& path, const MetricField<D>& field,
+                  const WriteOptions& options = {});
+
+} // namespace ameco

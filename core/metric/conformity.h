@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// How well a mesh agrees with a metric: lengths of its edges, quality of its elements.
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/metric/metric.h"
+
+#include <cstdint>
+
+namespace ameco {
+
+struct Conformity {
+    std::int64_t edges = 0;
+    double in_band = 0;    ///< share of edges with length in [1/sqrt(2), sqrt(2)], in [0, 1]
+    double below_half = 0; ///< share shorter than 0.5
+    double above_two = 0;  ///< share longer than 2
+    double shortest = 0, longest = 0;
+    double mean_quality = 0, worst_quality = 0; ///< mean ratio of the elements in the metric, in [0, 1]
+};
+
+/// Measures all edges and elements of `mesh` in `field` (one metric per node of `mesh`). The length
+/// of an edge is the logarithmic mean of its lengths in the metrics of its ends; the shape quality
+/// of an element is (17), with the mean of its nodes' M^-1/2.
+template <int D>
+[[nodiscard]] Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field);
+
+} // namespace ameco

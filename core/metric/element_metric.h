@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// The metric in which an element is equilateral.
+#pragma once
+
+#include "core/metric/metric.h"
+
+#include <array>
+
+namespace ameco {
+
+/// The natural metric of a simplex: the only one in which all its edges have length 1.
+///
+/// The paper's equation (5) inverts a sum of x x^T, whose condition number is the square of the
+/// aspect ratio. Here J = E W^-1 maps the regular simplex of edge 1 onto the element (E: its edge
+/// vectors from node 0, W: those of the regular simplex); M = J^-T J^-1, and the singular values
+/// and left singular vectors of J are the sizes and directions. One-sided Jacobi rotations keep the
+/// smallest of them to full relative precision as far as the coordinates have it.
+///
+/// \param points  the corners, positively oriented [L]
+/// \return        the metric; sizes may be zero or tiny for a flat element
+/// \see docs/theory/metric.md, "Element metric"; paper, Lemma 2.1
+template <int D>
+[[nodiscard]] Metric<D> element_metric(const std::array<Vec<D>, D + 1>& points);
+
+} // namespace ameco
