@@ -1,54 +1,75 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// Differences and scalar products with twice the digits of a double.
+/// Differences and scalar products with twice the digits of a double; T is double or Pack.
 #pragma once
 
-#include "core/base/vec.h"
+#include <array>
+#include <cstddef>
 
 namespace ameco {
 
-/// An unevaluated sum `value + rest` of two doubles, |rest| <= half an ulp of `value`.
-template <int D>
-struct TwoPartVec {
-    Vec<D> value;
-    Vec<D> rest;
+/// An unevaluated sum `value + rest`, |rest| <= half an ulp of `value`.
+template <class T>
+struct TwoPart {
+    T value;
+    T rest;
 };
 
-/// b - a without any error (Knuth's two-sum, by component).
-template <int D>
-[[nodiscard]] inline TwoPartVec<D> exact_difference(const Vec<D>& a, const Vec<D>& b) {
-    const Vec<D> d = b - a;
-    const Vec<D> a_seen = b - d;
-    const Vec<D> b_seen = d + a_seen;
-    return {d, (b - b_seen) + (a_seen - a)};
+/// a - b without any error (Knuth).
+template <class T>
+[[nodiscard]] inline TwoPart<T> exact_difference(T a, T b) {
+    const T d = a - b;
+    const T b_seen = a - d;
+    return {d, (a - (d + b_seen)) + (b_seen - b)};
 }
 
-/// a^T e to nearly twice the digits, rounded to a double at the end (Ogita, Rump and Oishi,
-/// Accurate sum and dot product, SIAM J. Sci. Comput. 26, 2005; Veltkamp's splitting, so the result
-/// does not depend on whether the machine has a fused multiply-add). Components below 1e300.
-template <int D>
-[[nodiscard]] inline double accurate_dot(const Vec<D>& a, const TwoPartVec<D>& e) {
-    constexpr double splitter = 134217729.0; // 2^27 + 1
-    double sum = 0;
-    double rest = 0;
-    for (int k = 0; k < D; ++k) {
-        const double x = a[k];
-        const double y = e.value[k];
-        const double x_big = splitter * x;
-        const double y_big = splitter * y;
-        const double x_high = x_big - (x_big - x);
-        const double y_high = y_big - (y_big - y);
-        const double x_low = x - x_high;
-        const double y_low = y - y_high;
-        const double p = x * y;
-        const double p_rest =
-            x_low * y_low - (((p - x_high * y_high) - x_low * y_high) - x_high * y_low);
-        const double s = sum + p;
-        const double p_seen = s - sum;
-        rest += ((sum - (s - p_seen)) + (p - p_seen)) + (p_rest + x * e.rest[k]);
-        sum = s;
+/// a + b without any error (Knuth).
+template <class T>
+[[nodiscard]] inline TwoPart<T> exact_sum(T a, T b) {
+    const T s = a + b;
+    const T b_seen = s - a;
+    return {s, (a - (s - b_seen)) + (b - b_seen)};
+}
+
+/// A number as the sum of two with at most 26 digits each (Veltkamp), so that products of such
+/// parts are exact. Values below 1e300.
+template <class T>
+[[nodiscard]] inline TwoPart<T> halves(T a) {
+    const T big = 134217729.0 * a; // 2^27 + 1
+    const T high = big - (big - a);
+    return {high, a - high};
+}
+
+/// A vector given to twice the digits, with the halves of its leading part.
+template <std::size_t D, class T>
+struct AccurateVec {
+    std::array<TwoPart<T>, D> x;
+    std::array<TwoPart<T>, D> half;
+};
+
+/// a^T e to nearly twice the digits, rounded at the end (Ogita, Rump and Oishi, Accurate sum and
+/// dot product, SIAM J. Sci. Comput. 26, 2005; Dekker's product instead of a fused multiply-add,
+/// which not every machine has). `a_half` are the halves of `a`.
+template <std::size_t D, class T>
+[[nodiscard]] inline T accurate_dot(const std::array<T, D>& a,
+                                    const std::array<TwoPart<T>, D>& a_half,
+                                    const AccurateVec<D, T>& e) {
+    TwoPart<T> sum{a[0] * e.x[0].value, a[0] * e.x[0].rest};
+    for (std::size_t k = 0; k < D; ++k) {
+        const T p = a[k] * e.x[k].value;
+        const TwoPart<T>& u = a_half[k];
+        const TwoPart<T>& v = e.half[k];
+        const T p_rest =
+            u.rest * v.rest - (((p - u.value * v.value) - u.rest * v.value) - u.value * v.rest);
+        if (k == 0) {
+            sum.rest = sum.rest + p_rest;
+        } else {
+            const TwoPart<T> s = exact_sum(sum.value, p);
+            sum.value = s.value;
+            sum.rest = sum.rest + (s.rest + (p_rest + a[k] * e.x[k].rest));
+        }
     }
-    return sum + rest;
+    return sum.value + sum.rest;
 }
 
 } // namespace ameco

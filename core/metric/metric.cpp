@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/metric/metric.h"
 
-#include "core/metric/compensated.h"
 #include "core/metric/symmetric_eigen.h"
 
+#include <cmath>
 #include <limits>
 
 namespace ameco {
@@ -23,28 +23,30 @@ Tensor<D> to_tensor(const Metric<D>& metric) {
 
 template <int D>
 Metric<D> from_tensor(const Tensor<D>& tensor) {
-    Mat<D> M;
+    Columns<D, double> A{};
     std::size_t n = 0;
-    for (int i = 0; i < D; ++i) {
-        for (int j = i; j < D; ++j) {
-            M(i, j) = M(j, i) = tensor[n++];
+    bool finite = true;
+    for (std::size_t i = 0; i < D; ++i) {
+        for (std::size_t j = i; j < D; ++j) {
+            finite = finite && std::isfinite(tensor[n]);
+            A[j][i] = tensor[n++];
         }
     }
     Metric<D> metric;
     metric.sizes.setConstant(std::numeric_limits<double>::quiet_NaN());
-    if (!M.allFinite()) {
+    if (!finite) {
         return metric;
     }
-    Mat<D>& V = metric.directions;
-    Mat<D> A = M;
-    diagonalise<D>(A, V);
-    const Vec<D> eigenvalues = A.diagonal();
-    if (eigenvalues.minCoeff() > 0 && eigenvalues.allFinite()) {
-        metric.sizes = eigenvalues.cwiseSqrt().cwiseInverse();
-        sort_ascending<D>(metric.sizes, V);
-        fix_signs<D>(V);
+    Columns<D, double> V = identity<D>();
+    diagonalise(A, V);
+    std::array<double, D> sizes;
+    for (std::size_t k = 0; k < D; ++k) {
+        if (!(A[k][k] > 0)) {
+            return metric;
+        }
+        sizes[k] = 1 / std::sqrt(A[k][k]);
     }
-    return metric;
+    return metric_from<D>(sizes, V);
 }
 
 template Tensor<2> to_tensor<2>(const Metric<2>&);

@@ -16,6 +16,9 @@ namespace {
 /// Elements whose metrics are held at a time: 9 MB in 3-D.
 constexpr std::size_t block_size = 1 << 17;
 
+/// Elements whose metrics are made in one go: they stay in the innermost cache.
+constexpr std::size_t elements_at_once = 64;
+
 /// Runs of consecutive nodes that belong to one adder.
 constexpr int run_shift = 8;
 
@@ -58,19 +61,21 @@ void add(Metric<D>& sum, const Contribution<D>& c) {
 
 template <int D>
 Metric<D> finish(const Metric<D>& sum, int count, Mean mean) {
-    Mat<D> S;
+    Columns<D, double> S;
     std::size_t n = 0;
-    for (int i = 0; i < D; ++i) {
-        for (int j = i; j < D; ++j) {
-            S(i, j) = S(j, i) = sum.directions.data()[n++] / count;
+    for (std::size_t i = 0; i < D; ++i) {
+        for (std::size_t j = i; j < D; ++j) {
+            S[j][i] = sum.directions.data()[n++] / count;
         }
     }
+    Columns<D, double> V = identity<D>();
+    diagonalise(S, V);
+    std::array<double, D> values;
+    for (std::size_t k = 0; k < D; ++k) {
+        values[k] = S[k][k];
+    }
+    Metric<D> metric = metric_from<D>(values, V);
     const Vec<D> mean_sizes = sum.sizes / count;
-    Metric<D> metric;
-    diagonalise<D>(S, metric.directions);
-    Vec<D> values = S.diagonal();
-    sort_ascending<D>(values, metric.directions);
-    fix_signs<D>(metric.directions);
     switch (mean) {
     case Mean::corrected:
         metric.sizes = mean_sizes;
@@ -78,10 +83,10 @@ Metric<D> finish(const Metric<D>& sum, int count, Mean mean) {
     case Mean::interpolation:
         // The smallest eigenvalue is a concave function of the matrix, so that of the mean is at
         // least the mean of those of the elements: a floor that rounding must not break.
-        metric.sizes = values.cwiseMax(mean_sizes[0]);
+        metric.sizes = metric.sizes.cwiseMax(mean_sizes[0]);
         break;
     case Mean::log_euclidean:
-        metric.sizes = values.array().exp();
+        metric.sizes = metric.sizes.array().exp();
         break;
     }
     return metric;
@@ -97,9 +102,13 @@ public:
     void add_block(std::size_t first) {
         const std::size_t size = std::min(block_size, mesh_.elements.size() - first);
         parallel_for(size, 1024, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const Simplex<D>& s = mesh_[ElementId(first + k)];
-                block_[k] = contribution_of<D>(element_metric<D>(corners_of<D>(mesh_, s)), mean_);
+            std::array<Metric<D>, elements_at_once> metrics;
+            for (std::size_t k = begin; k < end; k += metrics.size()) {
+                const std::span<Metric<D>> some(metrics.data(), std::min(metrics.size(), end - k));
+                element_metrics<D>(mesh_, ElementId(first + k), some);
+                for (std::size_t i = 0; i < some.size(); ++i) {
+                    block_[k + i] = contribution_of<D>(some[i], mean_);
+                }
             }
         });
         // Each adder goes through the whole block and keeps to its own nodes, so every node gets
