@@ -32,7 +32,7 @@ void stop_if_asked(const Monitor& monitor) {
 
 template <int D>
 IdVector<NodeId, Mat<D>> length_factors(const MetricField<D>& field) {
-    IdVector<NodeId, Mat<D>> factors(field.size());
+    IdVector<NodeId, Mat<D>> factors(field.size(), Mat<D>::Zero());
     parallel_for(field.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             factors[NodeId(i)] = length_factor(field[NodeId(i)]);

@@ -47,7 +47,7 @@ std::vector<bool> freeze_interfaces(const Mesh<D>& mesh, GeometryClasses<D>& cla
     const NodeElements ball = node_elements(mesh);
     std::vector<bool> on_boundary(mesh.faces.size());
     for (const FaceId f : mesh.faces.ids()) {
-        on_boundary[f.index()] = elements_at(mesh, ball, mesh.faces[f]) == 1;
+        on_boundary[f.index()] = elements_at<D>(mesh, ball, mesh.faces[f]) == 1;
         if (!on_boundary[f.index()]) {
             for (const NodeId v : mesh.faces[f]) {
                 classes.node[v] = NodeClass::frozen;

@@ -42,7 +42,7 @@ SizeField<D> make_size_field(const MetricField<D>& target) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec<D> h = target[NodeId(i)].sizes;
             const Vec<D> h2 = h.cwiseAbs2();
-            auto& r = field[NodeId(i)];
+            auto& r = field[NodeId(i)].r;
             r[0] = static_cast<float>(std::sqrt(h2.sum()));
             if constexpr (D == 2) {
                 r[1] = static_cast<float>(h.prod() / std::sqrt(h2.sum()));
@@ -63,7 +63,7 @@ double size_quality(const EditMesh<D>& mesh, const SizeField<D>& sizes, const Si
     for (int k = 0; k < D; ++k) {
         double wanted = 0;
         for (const NodeId v : element) {
-            wanted += static_cast<double>(sizes[v][k]);
+            wanted += static_cast<double>(sizes[v].r[static_cast<std::size_t>(k)]);
         }
         wanted /= D + 1;
         const double ratio_squared = e[k] / (k == 0 ? 1.0 : e[k - 1]) / (wanted * wanted);

@@ -16,10 +16,15 @@ namespace ameco {
 template <int D>
 class EditMesh;
 
-/// Target sizes at the nodes, as the ratios of their elementary symmetric polynomials that
-/// `size_quality` compares: r_1 = sqrt(e_1), r_k = sqrt(e_k / e_{k-1}), e_k of h_1^2 ... h_D^2.
+/// Target sizes at a node, as the ratios of their elementary symmetric polynomials that
+/// `size_quality` compares: r_1 = sqrt(e_1), r_k = sqrt(e_k / e_{k-1}), e_k of h_1^2 ... h_D^2 [L].
 template <int D>
-using SizeField = IdVector<NodeId, std::array<float, D>>;
+struct SizeRatios {
+    std::array<float, D> r;
+};
+
+template <int D>
+using SizeField = IdVector<NodeId, SizeRatios<D>>;
 
 template <int D>
 [[nodiscard]] SizeField<D> make_size_field(const MetricField<D>& target);
