@@ -21,7 +21,9 @@ function(ameco_add_test name)
     string(REPLACE "/" "_" prefix "${folder}")
     set(target "${prefix}_${name}")
     add_executable(${target} ${name}.cpp)
-    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    # Without the compiler's predefined macros, moc sees no C++20 in the standard headers, whose
+    # concepts Qt 6.4's moc cannot parse.
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_COMPILER_PREDEFINES OFF)
     target_compile_definitions(${target} PRIVATE
         AMECO_SHARED_DIR="${AMECO_SHARED_DIR}"
         AMECO_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
