@@ -16,11 +16,12 @@ namespace ameco {
 
 /// One parameter of a case, as the command line, the window and the manual print it.
 struct CaseParameter {
-    std::string name;          ///< as given on the command line, without dashes: "first-height"
-    std::string default_value; ///< what is used when it is not given; "" if that follows from others
-    std::string unit;          ///< "m", "deg", "" for a pure number
-    std::string range;         ///< what is accepted: "> 0", "2 or 3", "uniform, alternating"
-    std::string help;          ///< one line
+    std::string name; ///< as given on the command line, without dashes: "first-height"
+    std::string
+        default_value; ///< what is used when it is not given; "" if that follows from others
+    std::string unit;  ///< "m", "deg", "" for a pure number
+    std::string range; ///< what is accepted: "> 0", "2 or 3", "uniform, alternating"
+    std::string help;  ///< one line
 };
 
 /// A mesh that can be made by name.
