@@ -2,6 +2,7 @@
 
 add_library(ameco_settings INTERFACE)
 target_compile_features(ameco_settings INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
 target_compile_options(ameco_settings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -Wformat=2
     # The same bytes from every compiler: no fused multiply-add behind our back.
@@ -21,7 +22,9 @@ function(ameco_add_test name)
     string(REPLACE "/" "_" prefix "${folder}")
     set(target "${prefix}_${name}")
     add_executable(${target} ${name}.cpp)
-    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    # Without the compiler's predefined macros, moc sees no C++20 in the standard headers, whose
+    # concepts Qt 6.4's moc cannot parse.
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_COMPILER_PREDEFINES OFF)
     target_compile_definitions(${target} PRIVATE
         AMECO_SHARED_DIR="${AMECO_SHARED_DIR}"
         AMECO_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

