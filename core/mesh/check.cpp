@@ -163,6 +163,9 @@ void drop_duplicates(const Mesh<D>& mesh, const Facet<D>& nodes, std::vector<Ele
     const auto opposite = [&](const ElementSide& s) {
         return mesh.elements[s.element][s.opposite];
     };
+    if (sides.size() == 2 && opposite(sides[0]) != opposite(sides[1])) {
+        return; // as in a valid mesh
+    }
     std::stable_sort(sides.begin(), sides.end(), [&](const ElementSide& a, const ElementSide& b) {
         return opposite(a) < opposite(b);
     });
