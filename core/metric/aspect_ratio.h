@@ -29,11 +29,11 @@ template <int D>
 
 /// A few numbers that say how anisotropic a field is.
 struct AspectRatioSummary {
-    double max = 1;              ///< largest aspect ratio
-    double top_5_percent = 1;    ///< 5 % of the nodes are above this
+    double max = 1;           ///< largest aspect ratio
+    double top_5_percent = 1; ///< 5 % of the nodes are above this
     double median = 1;
-    double share_isotropic = 1;  ///< share of nodes below 5 (the paper's "isotropic"), in [0, 1]
-    double share_above_150 = 0;  ///< share of nodes above 150, in [0, 1]
+    double share_isotropic = 1; ///< share of nodes below 5 (the paper's "isotropic"), in [0, 1]
+    double share_above_150 = 0; ///< share of nodes above 150, in [0, 1]
 };
 
 template <int D>

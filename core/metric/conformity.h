@@ -16,7 +16,8 @@ struct Conformity {
     double below_half = 0; ///< share shorter than 0.5
     double above_two = 0;  ///< share longer than 2
     double shortest = 0, longest = 0;
-    double mean_quality = 0, worst_quality = 0; ///< mean ratio of the elements in the metric, in [0, 1]
+    double mean_quality = 0,
+           worst_quality = 0; ///< mean ratio of the elements in the metric, in [0, 1]
 };
 
 /// Measures all edges and elements of `mesh` in `field` (one metric per node of `mesh`). The length

@@ -3,11 +3,18 @@
 /// The metric in which an element is equilateral.
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/metric/metric.h"
 
 #include <array>
+#include <span>
 
 namespace ameco {
+
+/// Volume of the regular simplex of edge 1: sqrt(3)/4 or sqrt(2)/12.
+template <int D>
+inline constexpr double regular_simplex_volume =
+    D == 2 ? 0.43301270189221932338 : 0.11785113019775792073;
 
 /// The natural metric of a simplex: the only one in which all its edges have length 1.
 ///
@@ -22,5 +29,11 @@ namespace ameco {
 /// \see docs/theory/metric.md, "Element metric"; paper, Lemma 2.1
 template <int D>
 [[nodiscard]] Metric<D> element_metric(const std::array<Vec<D>, D + 1>& points);
+
+/// `element_metric` of the consecutive elements from `first` on: the same numbers in half the time.
+///
+/// \param metrics  as many as there are elements wanted; overwritten
+template <int D>
+void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> metrics);
 
 } // namespace ameco

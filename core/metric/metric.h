@@ -19,8 +19,8 @@ namespace ameco {
 /// \see docs/theory/metric.md; paper, section 2.1
 template <int D>
 struct Metric {
-    Vec<D> sizes = Vec<D>::Ones();            ///< h_1 <= ... <= h_D [L]
-    Mat<D> directions = Mat<D>::Identity();   ///< orthonormal columns
+    Vec<D> sizes = Vec<D>::Ones();          ///< h_1 <= ... <= h_D [L]
+    Mat<D> directions = Mat<D>::Identity(); ///< orthonormal columns
 
     friend bool operator==(const Metric&, const Metric&) = default;
 };
@@ -31,7 +31,7 @@ using MetricField = IdVector<NodeId, Metric<D>>;
 
 /// Number of different components of a symmetric tensor: 3 or 6.
 template <int D>
-inline constexpr int tensor_size = D * (D + 1) / 2;
+inline constexpr int tensor_size = D*(D + 1) / 2;
 
 /// Components of a symmetric tensor, upper triangle by rows: xx xy yy, or xx xy xz yy yz zz [L^-2].
 template <int D>
