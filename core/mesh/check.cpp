@@ -147,14 +147,6 @@ void test_elements(const Mesh<D>& mesh, Tallies& tallies) {
 
 // --- facets ------------------------------------------------------------------------------------
 
-/// Whether `listed`, a face on the given side of an element, points into the element. Of an element
-/// without positive volume nobody can say; it is reported for itself.
-template <int D>
-bool points_inward(const Mesh<D>& mesh, const ElementSide& side, const Facet<D>& listed) {
-    const Simplex<D>& s = mesh.elements[side.element];
-    return oppositely_oriented(facet_of<D>(s, side.opposite), listed) && orientation(mesh, s) > 0;
-}
-
 /// Counts duplicates among the elements at a facet and removes them from `sides`, so that they are
 /// not reported a second time as too many elements.
 template <int D>

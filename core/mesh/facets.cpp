@@ -97,6 +97,12 @@ void visit_runs(NodeId smallest, const std::vector<Entry<D>>& entries,
 } // namespace
 
 template <int D>
+bool points_inward(const Mesh<D>& mesh, const ElementSide& side, const Facet<D>& listed) {
+    const Simplex<D>& s = mesh.elements[side.element];
+    return oppositely_oriented(facet_of<D>(s, side.opposite), listed) && orientation(mesh, s) > 0;
+}
+
+template <int D>
 FacetTable<D>::FacetTable(const Mesh<D>& mesh) : mesh_(mesh) {
     // Of every facet of an element, the smallest node is the smallest or second smallest of the
     // element, since a facet misses one node only.
@@ -132,6 +138,8 @@ void FacetTable<D>::visit(std::size_t begin, std::size_t end,
     }
 }
 
+template bool points_inward<2>(const Mesh<2>&, const ElementSide&, const Facet<2>&);
+template bool points_inward<3>(const Mesh<3>&, const ElementSide&, const Facet<3>&);
 template class FacetTable<2>;
 template class FacetTable<3>;
 
