@@ -296,16 +296,4 @@ const std::vector<OneraM6Preset>& onera_m6_presets() {
     return presets;
 }
 
-const OneraM6Options& onera_m6_preset(std::string_view name) {
-    std::string known;
-    for (const OneraM6Preset& preset : onera_m6_presets()) {
-        if (preset.name == name) {
-            return preset.options;
-        }
-        known += (known.empty() ? "" : ", ") + preset.name;
-    }
-    throw UsageError("onera-m6: there is no preset '" + std::string(name) + "'; known are " +
-                     known);
-}
-
 } // namespace ameco

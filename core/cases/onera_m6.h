@@ -57,9 +57,6 @@ struct OneraM6Preset {
 /// m6-8k for demonstrations, m6-67k and m6-2m as in the paper's tables 2 and 3, m6-500k between.
 [[nodiscard]] const std::vector<OneraM6Preset>& onera_m6_presets();
 
-/// \throws UsageError for an unknown name
-[[nodiscard]] const OneraM6Options& onera_m6_preset(std::string_view name);
-
 /// \throws UsageError if the growing layers alone reach the far field
 [[nodiscard]] Mesh<3> make_onera_m6(const OneraM6Options& options = {});
 
