@@ -218,7 +218,9 @@ Case onera_m6_case() {
         .add("thin-ratio", &Options::thin_ratio, "", between(1e-6, 1),
              "first height at the thinnest column, over first-height")
         .add("thin-reach", &Options::thin_reach, "cells", above(0),
-             "how far around that column others are thinned")
+             "distance at which the thinning begins to fade")
+        .add("thin-power", &Options::thin_power, "", above(0),
+             "with which power of the distance it fades")
         .add("trailing-edge", &Options::trailing_edge, trailing_edge_choices,
              "how the section is closed");
     add_every(table);

@@ -96,7 +96,7 @@ std::vector<double> section_spans(const OneraM6Options& o) {
 /// span, and from there rising slowly with the distance in cells.
 double thinning(int i, int j, const OneraM6Options& o) {
     const double distance = std::hypot(i - o.chord_cells / 2, j - o.span_cells / 2);
-    return std::min(1.0, o.thin_ratio * std::pow(1 + distance / o.thin_reach, 0.41));
+    return std::min(1.0, o.thin_ratio * std::pow(1 + distance / o.thin_reach, o.thin_power));
 }
 
 std::vector<Foot> feet(const OneraM6Options& o) {

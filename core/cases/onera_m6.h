@@ -41,6 +41,8 @@ struct OneraM6Options {
     double spread = 4;     ///< distance of sections at the far field over that at the wing, >= 1
     double thin_ratio = 1; ///< first height at the thinnest column over first_height, in (0, 1]
     double thin_reach = 1; ///< how far around it columns are thinned [cells], > 0
+    double thin_power =
+        0.41; ///< of the rise from thin_ratio with the distance in thin_reach [-], > 0
     TrailingEdge trailing_edge = TrailingEdge::rounded;
     Diagonals diagonals = Diagonals::columns;
     int seed = 1;    ///< of random diagonals
