@@ -2,6 +2,7 @@
 
 add_library(ameco_settings INTERFACE)
 target_compile_features(ameco_settings INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
 target_compile_options(ameco_settings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -Wformat=2
     # The same bytes from every compiler: no fused multiply-add behind our back.

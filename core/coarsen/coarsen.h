@@ -4,11 +4,13 @@
 #pragma once
 
 #include "core/base/monitor.h"
+#include "core/coarsen/removal.h"
 #include "core/coarsen/target_metric.h"
 #include "core/mesh/check.h"
 #include "core/metric/conformity.h"
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/geometry_classes.h"
+#include "core/remesh/swap.h"
 #include "core/remesh/verdict.h"
 
 namespace ameco {
@@ -17,31 +19,38 @@ struct CoarsenOptions {
     Mean mean = Mean::corrected;
     TargetOptions target;
     FeatureOptions features;
-    /// Distance the boundary may move away from the finest one, over the local size of the surface
-    /// mesh [-]. Planar boundaries never move.
-    double surface_deviation = 0.05;
-    std::vector<int> frozen_patches; ///< patches whose nodes and faces are left untouched
+    LineOptions lines;
+    RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
+    SwapOptions swaps;
+    int passes = 3; ///< removal passes, >= 1; swaps come after each
 };
 
 /// Wall-clock seconds of one level, by phase.
 struct PhaseSeconds {
-    double metric = 0, order = 0, remove = 0, swap = 0, check = 0;
-    [[nodiscard]] double total() const { return metric + order + remove + swap + check; }
+    double metric = 0;     ///< target metric; natural metric of the coarse mesh
+    double order = 0;      ///< couplings, front order, lines
+    double first_pass = 0; ///< the first removal pass
+    double remove = 0;     ///< the later ones
+    double swap = 0;       ///< all swaps
+    double check = 0;      ///< check and conformity of the result
+    [[nodiscard]] double total() const {
+        return metric + order + first_pass + remove + swap + check;
+    }
 };
 
 struct CoarsenReport {
     std::int64_t nodes_before = 0, nodes_after = 0;
     std::int64_t elements_before = 0, elements_after = 0;
-    double predicted_nodes = 0;      ///< nodes_before * complexity(target) / complexity(natural)
+    double predicted_nodes = 0; ///< nodes_before * complexity(target) / complexity(natural)
     VerdictCounts removal, swaps;
-    std::int64_t line_nodes = 0;     ///< nodes on lines across layers, before
+    std::int64_t line_nodes = 0; ///< nodes on lines across layers, before
     std::int64_t lines = 0;
-    double deviation = 0;            ///< largest distance of the boundary from the finest one [L]
-    double deviation_relative = 0;   ///< the same over the local surface size
-    Conformity conformity;           ///< of the coarse mesh to the target metric
-    Conformity conformity_before;    ///< of the fine mesh to its own natural metric: the yardstick
+    double deviation = 0;          ///< bound of the boundary's distance to the finest one [L]
+    double deviation_relative = 0; ///< largest bound of a face over its own mean edge [-]
+    Conformity conformity;         ///< of the coarse mesh to the target metric
+    Conformity conformity_before;  ///< of the fine mesh to its own natural metric: the yardstick
     PhaseSeconds seconds;
-    CheckReport check;               ///< of the coarse mesh: always made, always valid
+    CheckReport check; ///< of the coarse mesh: always made, always valid
 };
 
 /// A mesh of a hierarchy with what the next step needs.
@@ -49,8 +58,8 @@ template <int D>
 struct Level {
     Mesh<D> mesh;
     GeometryClasses<D> geometry;
-    MetricField<D> natural;           ///< natural metric at its nodes
-    IdVector<NodeId, NodeId> parent;  ///< [n] the node of the next finer level at the same place
+    MetricField<D> natural;          ///< natural metric at its nodes
+    IdVector<NodeId, NodeId> parent; ///< [n] the node of the next finer level at the same place
 };
 
 /// Makes level 0 from a valid mesh: geometry classes and natural metric.

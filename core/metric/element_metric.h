@@ -11,6 +11,11 @@
 
 namespace ameco {
 
+/// Volume of the regular simplex of edge 1: sqrt(3)/4 or sqrt(2)/12.
+template <int D>
+inline constexpr double regular_simplex_volume =
+    D == 2 ? 0.43301270189221932338 : 0.11785113019775792073;
+
 /// The natural metric of a simplex: the only one in which all its edges have length 1.
 ///
 /// The paper's equation (5) inverts a sum of x x^T, whose condition number is the square of the

@@ -58,20 +58,22 @@ inline void diagonalise(Columns<D, T>& A, Columns<D, T>& V) {
                     continue;
                 }
                 rotated = true;
-                // tan of the angle: the smaller root of t^2 + (d/g) t - 1 = 0.
+                // tan(angle) = y / x is the smaller root of t^2 + (d/g) t - 1 = 0.
                 const T d = A[j][j] - A[i][i];
-                const T t = select(
-                    wanted, with_sign(2.0 * g, d * g) / (magnitude(d) + root(d * d + 4.0 * g * g)),
-                    T{});
-                const T c = 1.0 / root(1.0 + t * t);
-                const T s = t * c;
-                A[i][i] = A[i][i] - t * g;
-                A[j][j] = A[j][j] + t * g;
+                const T x =
+                    select(wanted, magnitude(d) + root(d * d + 4.0 * g * g), constant<T>(1));
+                const T y = select(wanted, with_sign(2.0 * g, d * g), T{});
+                const T radius = 1.0 / root(x * x + y * y);
+                const T c = x * radius;
+                const T s = y * radius;
+                const T shift = y * g / x;
+                A[i][i] = A[i][i] - shift;
+                A[j][j] = A[j][j] + shift;
                 A[j][i] = select(wanted, T{}, g);
-                const auto turn = [&](T& x, T& y) {
-                    const T x_old = x;
-                    x = c * x_old - s * y;
-                    y = s * x_old + c * y;
+                const auto turn = [&](T& a, T& b) {
+                    const T a_old = a;
+                    a = c * a_old - s * b;
+                    b = s * a_old + c * b;
                 };
                 if constexpr (D == 3) {
                     const std::size_t k = 3 - i - j;

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace ameco {
 
@@ -19,18 +20,29 @@ enum class NodeClass : std::uint8_t {
 
 struct FeatureOptions {
     double ridge_angle_deg = 60;  ///< boundary edges that turn by more than this are kept [deg]
-    double corner_angle_deg = 50; ///< ridges that turn by more than this have a corner there [deg]
+    double corner_angle_deg = 50; ///< lines that turn by more than this have a corner there [deg]
+    std::vector<int> frozen_patches; ///< patches whose nodes and faces are left untouched
+};
+
+/// A line of the boundary that coarsening keeps: between patches, sharp, or listed by the file.
+struct RidgeEdge {
+    Edge nodes;            ///< ascending
+    int label = 0;         ///< the file's, where it listed the edge
+    bool listed = false;   ///< the file listed it: it is written again
+    bool declared = false; ///< the file listed it among its ridges
+    friend bool operator==(const RidgeEdge&, const RidgeEdge&) = default;
 };
 
 template <int D>
 struct GeometryClasses {
-    IdVector<NodeId, NodeClass> node;  ///< [n]
-    std::vector<Edge> ridges;          ///< sharp edges (3-D), each sorted, in ascending order
+    IdVector<NodeId, NodeClass> node; ///< [n]
+    std::vector<RidgeEdge> ridges;    ///< D = 3 only, in ascending order of their nodes
     /// Upper bound of the distance between each face and the finest boundary [L], [k].
     IdVector<FaceId, double> deviation;
 };
 
-/// Classifies the nodes of a valid mesh from patch ids, dihedral angles and declared features.
+/// Classifies the nodes of a valid mesh from patch ids, dihedral angles, declared features and
+/// regions. Every node of a face or region border inside the domain is frozen.
 template <int D>
 [[nodiscard]] GeometryClasses<D> classify_geometry(const Mesh<D>& mesh,
                                                    const FeatureOptions& options = {});

@@ -11,20 +11,20 @@ namespace ameco {
 
 enum class Verdict : std::uint8_t {
     accepted,
-    geometry_class,    ///< a corner, a required or an interface node, or off its ridge or patch
-    gap,               ///< a gap of the line beside the node already lost a node
-    line_order,        ///< not an odd node of its line, or not a neighbour on the line
-    weak_coupling,     ///< the edge to the kept node is not one of the strong ones
-    coupling_bound,    ///< too much of the node's stencil is removed already
-    inverts_element,   ///< a new element would have no positive volume
-    low_quality,       ///< the worst new element is below the floor
-    no_improvement,    ///< a swap that does not raise the worst quality enough
-    link_condition,    ///< the boundary would touch itself
-    surface_normal,    ///< the boundary would turn too far
-    surface_distance,  ///< the boundary would move too far
-    breaks_line,       ///< layer elements without an edge across the layer would appear
-    cavity_too_large,  ///< more elements around the edge than a re-star is tried on
-    region_border      ///< elements of several regions, or a face inside the domain
+    geometry_class,   ///< a corner, a required or an interface node, or off its ridge or patch
+    gap,              ///< a gap of the line beside the node already lost a node
+    line_order,       ///< not an odd node of its line, or not a neighbour on the line
+    weak_coupling,    ///< the edge to the kept node is not one of the strong ones
+    coupling_bound,   ///< too much of the node's stencil is removed already
+    inverts_element,  ///< a new element would have no positive volume
+    low_quality,      ///< the worst new element is below the floor
+    no_improvement,   ///< a swap that does not raise the worst quality enough
+    link_condition,   ///< the boundary would touch itself
+    surface_normal,   ///< the boundary would turn too far
+    surface_distance, ///< the boundary would move too far
+    breaks_line,      ///< layer elements without an edge across the layer would appear
+    cavity_too_large, ///< more elements around the edge than a re-star is tried on
+    region_border     ///< elements of several regions, or a face inside the domain
 };
 
 inline constexpr std::size_t verdict_count = 15;

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/coarsen/coarsen.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/metric/complexity.h"
+#include "core/remesh/front_order.h"
+
+#include <chrono>
+
+namespace ameco {
+namespace {
+
+/// Adds the time since the last call, or since it was made, to a phase.
+class Stopwatch {
+public:
+    void lap(double& seconds) {
+        const auto now = std::chrono::steady_clock::now();
+        seconds += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void stop_if_asked(const Monitor& monitor) {
+    if (monitor.stop_requested()) {
+        throw Cancelled();
+    }
+}
+
+template <int D>
+IdVector<NodeId, Mat<D>> length_factors(const MetricField<D>& field) {
+    IdVector<NodeId, Mat<D>> factors(field.size(), Mat<D>::Zero());
+    parallel_for(field.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            factors[NodeId(i)] = length_factor(field[NodeId(i)]);
+        }
+    });
+    return factors;
+}
+
+/// Everything one level needs to know of the fine mesh, in the form the inner loops want.
+template <int D>
+struct LevelData {
+    Couplings couplings;
+    FrontOrder front;
+    Lines lines;
+    IdVector<NodeId, Mat<D>> natural, target;
+    IdVector<NodeId, float> short_size, aspect;
+    SizeField<D> sizes;
+    RootField<D> root;
+};
+
+template <int D>
+void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelData<D>& data) {
+    data.natural = length_factors(fine.natural);
+    data.target = length_factors(target);
+    data.sizes = make_size_field(target);
+    data.root = make_root_field(target);
+    data.short_size.resize(target.size());
+    data.aspect.resize(target.size());
+    for (const NodeId v : fine.mesh.points.ids()) {
+        data.short_size[v] = static_cast<float>(fine.natural[v].sizes[0]);
+        data.aspect[v] = static_cast<float>(aspect_ratio(target[v]));
+    }
+}
+
+template <int D>
+void set_size_qualities(EditMesh<D>& mesh, const SizeField<D>& sizes) {
+    parallel_for(mesh.slot_count(), 8192, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ElementId e(i);
+            if (!mesh.is_free(e) && !mesh.is_ghost(e)) {
+                mesh.set_measure(e, static_cast<float>(size_quality(mesh, sizes, mesh.nodes(e))));
+            }
+        }
+    });
+}
+
+/// Removal and swaps, in turns.
+template <int D>
+void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
+          CoarsenReport& report, Monitor& monitor) {
+    Stopwatch watch;
+    set_size_qualities(mesh, data.sizes);
+    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
+                                data.natural,     data.target,    data.short_size};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.aspect, data.short_size, data.lines};
+    SwapOptions between = options.swaps;
+    between.below = std::min(0.3, options.swaps.below);
+    between.rounds = 1;
+    RemovalState state(mesh.node_count());
+    for (int pass = 0; pass < options.passes; ++pass) {
+        const double begin = static_cast<double>(pass) / options.passes;
+        MonitorPart part(monitor, begin, begin + 0.6 / options.passes);
+        if (pass == 0) {
+            remove_first_pass(mesh, data.lines, state, input, options.removal, report.removal,
+                              part);
+            watch.lap(report.seconds.first_pass);
+        } else {
+            remove_again(mesh, data.lines, state, input, options.removal, report.removal, part);
+            watch.lap(report.seconds.remove);
+        }
+        stop_if_asked(monitor);
+        const bool last = pass + 1 == options.passes;
+        MonitorPart rest(monitor, begin + 0.6 / options.passes, begin + 1.0 / options.passes);
+        swap_bad_elements(mesh, swap_input, last ? options.swaps : between, options.removal.surface,
+                          report.swaps, rest);
+        watch.lap(report.seconds.swap);
+        stop_if_asked(monitor);
+    }
+}
+
+template <int D>
+void measure_deviation(const Mesh<D>& mesh, const GeometryClasses<D>& geometry,
+                       CoarsenReport& report) {
+    for (const FaceId f : mesh.faces.ids()) {
+        double edges = 0;
+        int count = 0;
+        for (std::size_t i = 0; i + 1 < D; ++i) {
+            for (std::size_t j = i + 1; j < D; ++j) {
+                edges += (mesh.points[mesh.faces[f][i]] - mesh.points[mesh.faces[f][j]]).norm();
+                ++count;
+            }
+        }
+        report.deviation = std::max(report.deviation, geometry.deviation[f]);
+        report.deviation_relative =
+            std::max(report.deviation_relative, geometry.deviation[f] * count / edges);
+    }
+}
+
+template <int D>
+MetricField<D> restricted(const MetricField<D>& field, const IdVector<NodeId, NodeId>& parent) {
+    MetricField<D> out(parent.size());
+    for (const NodeId v : parent.ids()) {
+        out[v] = field[parent[v]];
+    }
+    return out;
+}
+
+} // namespace
+
+template <int D>
+Level<D> finest_level(Mesh<D> mesh, const CoarsenOptions& options, Monitor& monitor) {
+    Level<D> level;
+    level.geometry = classify_geometry(mesh, options.features);
+    level.natural = nodal_metric(mesh, options.mean, monitor);
+    level.mesh = std::move(mesh);
+    return level;
+}
+
+template <int D>
+Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenReport& report,
+                 Monitor& monitor) {
+    report = {};
+    Stopwatch watch;
+    const MetricField<D> target = target_metric(fine.natural, options.target);
+    report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
+    report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
+    report.predicted_nodes = static_cast<double>(report.nodes_before) *
+                             complexity(fine.mesh, target) / complexity(fine.mesh, fine.natural);
+    report.conformity_before = conformity(fine.mesh, fine.natural);
+    LevelData<D> data;
+    prepare_metrics(fine, target, data);
+    watch.lap(report.seconds.metric);
+    stop_if_asked(monitor);
+
+    monitor.progress(0.02, "ordering nodes");
+    data.couplings = make_couplings(fine.mesh);
+    data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
+    data.lines = find_lines(fine.mesh, data.couplings, data.front.key, options.lines);
+    report.lines = data.lines.count;
+    report.line_nodes = data.lines.node_count;
+    EditMesh<D> mesh(fine.mesh, fine.geometry);
+    watch.lap(report.seconds.order);
+    stop_if_asked(monitor);
+
+    MonitorPart editing(monitor, 0.1, 0.85);
+    edit(mesh, data, options, report, editing);
+
+    watch = Stopwatch();
+    auto compact = mesh.compact();
+    Level<D> coarse{
+        std::move(compact.mesh), std::move(compact.classes), {}, std::move(compact.parent)};
+    report.nodes_after = static_cast<std::int64_t>(coarse.mesh.points.size());
+    report.elements_after = static_cast<std::int64_t>(coarse.mesh.elements.size());
+    monitor.progress(0.88, "checking");
+    report.check = check(coarse.mesh);
+    if (!report.check.valid()) {
+        throw std::logic_error("the coarse mesh is not valid: " + report.check.summary());
+    }
+    measure_deviation(coarse.mesh, coarse.geometry, report);
+    report.conformity = conformity(coarse.mesh, restricted(target, coarse.parent));
+    watch.lap(report.seconds.check);
+    monitor.progress(0.95, "measuring the new mesh");
+    coarse.natural = nodal_metric(coarse.mesh, options.mean);
+    watch.lap(report.seconds.metric);
+    return coarse;
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template Level<D> finest_level(Mesh<D>, const CoarsenOptions&, Monitor&);                      \
+    template Level<D> coarsen(const Level<D>&, const CoarsenOptions&, CoarsenReport&, Monitor&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
+
+} // namespace ameco

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/coarsen/removal.h"
+
+#include "core/metric/edge_length.h"
+
+#include <algorithm>
+
+namespace ameco {
+namespace {
+
+template <int D>
+class Remover {
+public:
+    Remover(EditMesh<D>& mesh, Lines& lines, RemovalState& state, const RemovalInput<D>& input,
+            const RemovalOptions& options, VerdictCounts& verdicts)
+        : mesh_(mesh), lines_(lines), state_(state), in_(input), options_(options),
+          verdicts_(verdicts) {}
+
+    void first_visit(NodeId v) {
+        const bool gone = mesh_.node_class(v) != NodeClass::frozen &&
+                          (lines_.on_line(v) ? thin_line(v) : remove_off_line(v, true));
+        state_.kept[v] = gone ? 0 : 1;
+    }
+
+    void visit_again(NodeId v) {
+        if (mesh_.is_removed(v) || mesh_.node_class(v) == NodeClass::frozen) {
+            return;
+        }
+        if (lines_.on_line(v)) {
+            thin_line_again(v);
+        } else {
+            remove_off_line(v, false);
+        }
+    }
+
+private:
+    /// Odd nodes of a line go, wall side first.
+    bool thin_line(NodeId v) {
+        if (lines_.position[v] % 2 == 0) {
+            return false;
+        }
+        return leave_along_line(v);
+    }
+
+    /// In later passes parity is settled; what the first pass could not take may go now.
+    void thin_line_again(NodeId v) {
+        const NodeId a = lines_.previous[v], b = lines_.next[v];
+        if ((a.valid() && too_close(v, a)) || (b.valid() && too_close(v, b))) {
+            leave_along_line(v);
+        }
+    }
+
+    bool leave_along_line(NodeId v) {
+        if (lines_.beside_used_gap(v)) {
+            verdicts_.add(Verdict::gap);
+            return false;
+        }
+        if (!within_coupling_bound(v)) {
+            verdicts_.add(Verdict::coupling_bound);
+            return false;
+        }
+        gather_ball(mesh_, v, ball_);
+        Verdict last = Verdict::line_order;
+        for (const NodeId w : {lines_.previous[v], lines_.next[v]}) {
+            if (!w.valid()) {
+                continue;
+            }
+            last = propose(v, w, star_);
+            if (last == Verdict::accepted) {
+                commit(v, w);
+                lines_.remove(v);
+                return true;
+            }
+        }
+        verdicts_.add(last);
+        return false;
+    }
+
+    /// \param kept_only  collapse onto kept nodes that are too close only
+    bool remove_off_line(NodeId v, bool kept_only) {
+        collect_neighbours(v);
+        const float strong = static_cast<float>(options_.strong_share) * in_.couplings.strongest[v];
+        bool crowded = false;
+        bool any_strong = false;
+        candidates_.clear();
+        for (const NodeId w : neighbours_) {
+            const bool close = (!kept_only || state_.kept[w] != 0) && too_close(v, w);
+            crowded = crowded || close;
+            if ((close || !kept_only) && in_.couplings.between(v, w) >= strong) {
+                any_strong = true;
+                candidates_.push_back(w);
+            }
+        }
+        if (!crowded) {
+            return false;
+        }
+        if (!any_strong || !within_coupling_bound(v)) {
+            verdicts_.add(any_strong ? Verdict::coupling_bound : Verdict::weak_coupling);
+            return false;
+        }
+        return take_best(v);
+    }
+
+    bool take_best(NodeId v) {
+        gather_ball(mesh_, v, ball_);
+        NodeId best;
+        Verdict first = Verdict::accepted;
+        for (const NodeId w : candidates_) {
+            const Verdict verdict = propose(v, w, star_);
+            if (verdict != Verdict::accepted) {
+                first = first == Verdict::accepted ? verdict : first;
+            } else if (!best.valid() || star_.worst_quality > best_star_.worst_quality) {
+                best = w;
+                std::swap(star_, best_star_);
+            }
+        }
+        if (!best.valid()) {
+            verdicts_.add(first);
+            return false;
+        }
+        std::swap(star_, best_star_);
+        commit(v, best);
+        return true;
+    }
+
+    Verdict propose(NodeId v, NodeId w, Star<D>& star) {
+        return propose_collapse(mesh_, in_.sizes, options_.surface, options_.quality,
+                                static_cast<double>(in_.short_size[v]), {.removed = v, .kept = w},
+                                ball_, star);
+    }
+
+    void commit(NodeId v, NodeId w) {
+        apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_);
+        verdicts_.add(Verdict::accepted);
+        const auto neighbours = in_.couplings.neighbours[v];
+        const auto values = in_.couplings.at(v);
+        for (std::size_t i = 0; i < neighbours.size(); ++i) {
+            state_.removed_coupling[neighbours[i]] += values[i];
+        }
+    }
+
+    /// Every removed node must keep a part of its stencil among the nodes that stay: otherwise
+    /// no interpolation from the coarse mesh sees its error.
+    bool within_coupling_bound(NodeId v) const {
+        const auto bound = static_cast<float>(options_.coupling_bound);
+        if (state_.removed_coupling[v] > bound * in_.couplings.diagonal[v]) {
+            return false;
+        }
+        const auto neighbours = in_.couplings.neighbours[v];
+        const auto values = in_.couplings.at(v);
+        for (std::size_t i = 0; i < neighbours.size(); ++i) {
+            const NodeId w = neighbours[i];
+            if (mesh_.is_removed(w) &&
+                state_.removed_coupling[w] + values[i] > bound * in_.couplings.diagonal[w]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Whether an edge is to go: its length in the target metric is well below 1. Edges the target
+    /// does not stretch are left alone until they are much too short; otherwise the accidental
+    /// short ones among them would shift whole columns.
+    bool too_close(NodeId v, NodeId w) const {
+        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
+        const double target = edge_length((in_.target[v] * e).norm(), (in_.target[w] * e).norm());
+        if (target >= 0.4 + 0.307) {
+            return false;
+        }
+        const double natural =
+            edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
+        const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);
+        return target < 0.4 + 0.307 * stretched;
+    }
+
+    void collect_neighbours(NodeId v) {
+        neighbours_.clear();
+        for (const ElementId e : mesh_.ball(v)) {
+            for (const NodeId w : mesh_.nodes(e)) {
+                if (w != v && w != mesh_.ghost()) {
+                    neighbours_.push_back(w);
+                }
+            }
+        }
+        std::sort(neighbours_.begin(), neighbours_.end());
+        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+    }
+
+    EditMesh<D>& mesh_;
+    Lines& lines_;
+    RemovalState& state_;
+    const RemovalInput<D>& in_;
+    const RemovalOptions& options_;
+    VerdictCounts& verdicts_;
+    Cavity<D> ball_;
+    Star<D> star_, best_star_;
+    std::vector<NodeId> neighbours_, candidates_;
+};
+
+/// Calls `visit` for all nodes in order, with progress; stops when asked to.
+template <class Visit>
+void visit_all(const std::vector<NodeId>& order, Monitor& monitor, const Visit& visit) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if ((i & 0xFFF) == 0) {
+            monitor.progress(static_cast<double>(i) / static_cast<double>(order.size()),
+                             "removing nodes");
+            if (monitor.stop_requested()) {
+                return;
+            }
+        }
+        visit(order[i]);
+    }
+}
+
+} // namespace
+
+template <int D>
+void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
+                       const RemovalInput<D>& input, const RemovalOptions& options,
+                       VerdictCounts& verdicts, Monitor& monitor) {
+    Remover<D> remover(mesh, lines, state, input, options, verdicts);
+    visit_all(input.order, monitor, [&](NodeId v) { remover.first_visit(v); });
+}
+
+template <int D>
+void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
+                  const RemovalInput<D>& input, const RemovalOptions& options,
+                  VerdictCounts& verdicts, Monitor& monitor) {
+    Remover<D> remover(mesh, lines, state, input, options, verdicts);
+    visit_all(input.order, monitor, [&](NodeId v) { remover.visit_again(v); });
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template void remove_first_pass(EditMesh<D>&, Lines&, RemovalState&, const RemovalInput<D>&,   \
+                                    const RemovalOptions&, VerdictCounts&, Monitor&);              \
+    template void remove_again(EditMesh<D>&, Lines&, RemovalState&, const RemovalInput<D>&,        \
+                               const RemovalOptions&, VerdictCounts&, Monitor&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
+
+} // namespace ameco

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// The pass that removes nodes: in front order, along strong couplings, lines kept whole.
+#pragma once
+
+#include "core/base/monitor.h"
+#include "core/metric/metric.h"
+#include "core/remesh/collapse.h"
+#include "core/remesh/couplings.h"
+#include "core/remesh/lines.h"
+
+namespace ameco {
+
+struct RemovalOptions {
+    QualityFloor quality;
+    SurfaceRules surface;
+    double strong_share =
+        0.5; ///< an edge is strong above this share of the strongest at its node [-]
+    double coupling_bound = 0.8; ///< most of a_vv that may go to removed neighbours [-]
+};
+
+/// What the removal looks at, beside the mesh; all of it of the mesh before any removal.
+template <int D>
+struct RemovalInput {
+    const std::vector<NodeId>& order; ///< front order
+    const Couplings& couplings;
+    const SizeField<D>& sizes;
+    const IdVector<NodeId, Mat<D>>& natural;   ///< length factors of the natural metric
+    const IdVector<NodeId, Mat<D>>& target;    ///< length factors of the target metric
+    const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
+};
+
+/// Which nodes are gone, and how much of each node's stencil went with them.
+struct RemovalState {
+    explicit RemovalState(std::size_t nodes) : removed_coupling(nodes, 0), kept(nodes, 0) {}
+    IdVector<NodeId, float> removed_coupling; ///< sum of c_vw over removed neighbours w
+    IdVector<NodeId, std::uint8_t> kept;      ///< looked at and kept, in the first pass
+};
+
+/// First pass: nodes in front order. On a line every odd node goes, onto a neighbour on the line.
+/// Off the lines a node goes onto a kept neighbour that is too close in the target metric and
+/// strongly coupled; among several the one that leaves the best elements.
+template <int D>
+void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
+                       const RemovalInput<D>& input, const RemovalOptions& options,
+                       VerdictCounts& verdicts, Monitor& monitor);
+
+/// Later passes: nodes that still have a neighbour too close leave onto any strong neighbour that
+/// will do.
+template <int D>
+void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
+                  const RemovalInput<D>& input, const RemovalOptions& options,
+                  VerdictCounts& verdicts, Monitor& monitor);
+
+} // namespace ameco

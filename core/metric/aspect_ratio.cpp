@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/metric/aspect_ratio.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ameco {
+namespace {
+
+template <int D>
+std::vector<double> aspect_ratios(const MetricField<D>& field) {
+    std::vector<double> ratios(field.size());
+    std::transform(field.begin(), field.end(), ratios.begin(),
+                   [](const Metric<D>& m) { return aspect_ratio<D>(m); });
+    return ratios;
+}
+
+/// The class of `ratio`, with the edges of `classes` as they are: powers of two, so exact.
+std::size_t class_of(double ratio, const AspectRatioClasses& classes) {
+    if (!(ratio < classes.max)) {
+        return 0;
+    }
+    const std::size_t last = classes.counts.size() - 1;
+    const int guess = std::ilogb(classes.max / ratio);
+    std::size_t k = std::min(last, static_cast<std::size_t>(std::max(0, guess)));
+    while (k < last && ratio <= classes.lower(k)) {
+        ++k;
+    }
+    while (k > 0 && ratio > classes.upper(k)) {
+        --k;
+    }
+    return k;
+}
+
+/// The smallest of the sorted values that at most a share 1 - p of them is above.
+double quantile(const std::vector<double>& sorted, double p) {
+    const double rank = std::ceil(p * static_cast<double>(sorted.size()));
+    const auto n = static_cast<std::size_t>(std::max(1.0, rank));
+    return sorted[n - 1];
+}
+
+} // namespace
+
+double AspectRatioClasses::upper(std::size_t k) const {
+    return std::ldexp(max, -static_cast<int>(k));
+}
+
+template <int D>
+AspectRatioClasses classify_aspect_ratios(const MetricField<D>& field, double max) {
+    const std::vector<double> ratios = aspect_ratios(field);
+    AspectRatioClasses classes;
+    classes.max = std::max(1.0, max);
+    if (max == 0) {
+        for (const double ratio : ratios) {
+            classes.max = std::isfinite(ratio) ? std::max(classes.max, ratio) : classes.max;
+        }
+    }
+    // Class ilogb(max) is the one with lower < 1 <= upper.
+    classes.counts.assign(static_cast<std::size_t>(std::ilogb(classes.max)) + 1, 0);
+    for (const double ratio : ratios) {
+        ++classes.counts[class_of(ratio, classes)];
+    }
+    return classes;
+}
+
+template <int D>
+AspectRatioSummary summarise_aspect_ratios(const MetricField<D>& field) {
+    AspectRatioSummary summary;
+    if (field.empty()) {
+        return summary;
+    }
+    std::vector<double> ratios = aspect_ratios(field);
+    std::sort(ratios.begin(), ratios.end());
+    const auto n = static_cast<double>(ratios.size());
+    const auto below_5 = std::lower_bound(ratios.begin(), ratios.end(), 5.0) - ratios.begin();
+    const auto above_150 = ratios.end() - std::upper_bound(ratios.begin(), ratios.end(), 150.0);
+    summary.max = ratios.back();
+    summary.top_5_percent = quantile(ratios, 0.95);
+    summary.median = quantile(ratios, 0.5);
+    summary.share_isotropic = static_cast<double>(below_5) / n;
+    summary.share_above_150 = static_cast<double>(above_150) / n;
+    return summary;
+}
+
+template AspectRatioClasses classify_aspect_ratios<2>(const MetricField<2>&, double);
+template AspectRatioClasses classify_aspect_ratios<3>(const MetricField<3>&, double);
+template AspectRatioSummary summarise_aspect_ratios<2>(const MetricField<2>&);
+template AspectRatioSummary summarise_aspect_ratios<3>(const MetricField<3>&);
+
+} // namespace ameco

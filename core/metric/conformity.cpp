@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/metric/conformity.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/adjacency.h"
+#include "core/mesh/simplex.h"
+#include "core/metric/edge_length.h"
+#include "core/metric/element_metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace ameco {
+namespace {
+
+constexpr std::size_t piece_size = 4096;
+
+/// What one piece of a loop has counted; pieces are joined in their order.
+struct Count {
+    std::int64_t edges = 0;
+    std::int64_t in_band = 0;
+    std::int64_t below_half = 0;
+    std::int64_t above_two = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0;
+    double quality = 0;
+    double worst_quality = 1;
+
+    void add_length(double l) {
+        ++edges;
+        in_band += l >= std::sqrt(0.5) && l <= std::sqrt(2.0) ? 1 : 0;
+        below_half += l < 0.5 ? 1 : 0;
+        above_two += l > 2 ? 1 : 0;
+        shortest = std::min(shortest, l);
+        longest = std::max(longest, l);
+    }
+    void add_quality(double q) {
+        quality += q;
+        worst_quality = std::min(worst_quality, q);
+    }
+    void add(const Count& c) {
+        edges += c.edges;
+        in_band += c.in_band;
+        below_half += c.below_half;
+        above_two += c.above_two;
+        shortest = std::min(shortest, c.shortest);
+        longest = std::max(longest, c.longest);
+        quality += c.quality;
+        worst_quality = std::min(worst_quality, c.worst_quality);
+    }
+};
+
+/// Runs `body(begin, end, count)` on the pieces of [0, n) and joins what they counted.
+template <class Body>
+Count count_pieces(std::size_t n, const Body& body) {
+    std::vector<Count> pieces((n + piece_size - 1) / piece_size);
+    parallel_for(n, piece_size, [&](std::size_t begin, std::size_t end) {
+        body(begin, end, pieces[begin / piece_size]);
+    });
+    Count all;
+    for (const Count& piece : pieces) {
+        all.add(piece);
+    }
+    return all;
+}
+
+/// Length of a vector in a metric: |F e|, the factor made once per node for all its edges.
+template <int D>
+void add_lengths(const Mesh<D>& mesh, const MetricField<D>& field, NodeId i,
+                 std::span<const NodeId> neighbours, Count& count) {
+    const Mat<D> F = length_factor<D>(field[i]);
+    for (const NodeId j : neighbours) {
+        if (i < j) {
+            const Vec<D> e = mesh.points[j] - mesh.points[i];
+            count.add_length(edge_length((F * e).norm(), length<D>(field[j], e)));
+        }
+    }
+}
+
+/// (17) in the mean S of M^-1/2: lengths and volume are those of the edges X = S^-1 E.
+template <int D>
+double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Simplex<D>& s) {
+    Mat<D> mean = Mat<D>::Zero();
+    for (const NodeId i : s) {
+        const Mat<D>& V = field[i].directions;
+        mean += V * field[i].sizes.asDiagonal() * V.transpose();
+    }
+    Mat<D> edges;
+    for (int i = 0; i < D; ++i) {
+        edges.col(i) = mesh.points[s[i + 1]] - mesh.points[s[0]];
+    }
+    mean /= D + 1;
+    const Mat<D> X = mean.llt().solve(edges);
+    double squares = X.squaredNorm();
+    for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < i; ++j) {
+            squares += (X.col(i) - X.col(j)).squaredNorm();
+        }
+    }
+    constexpr double volume_of_unit_edges = (D == 2 ? 2 : 6) * regular_simplex_volume<D>;
+    const double mean_square = squares / (D * (D + 1) / 2);
+    const double q = X.determinant() / (volume_of_unit_edges * std::pow(std::sqrt(mean_square), D));
+    return std::min(q, 1.0); // the regular simplex may come out above by rounding
+}
+
+} // namespace
+
+template <int D>
+Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
+    const NodeNodes neighbours = node_neighbours(mesh);
+    const Count lengths =
+        count_pieces(mesh.points.size(), [&](std::size_t begin, std::size_t end, Count& count) {
+            for (std::size_t i = begin; i < end; ++i) {
+                add_lengths(mesh, field, NodeId(i), neighbours[NodeId(i)], count);
+            }
+        });
+    const Count shapes =
+        count_pieces(mesh.elements.size(), [&](std::size_t begin, std::size_t end, Count& count) {
+            for (std::size_t e = begin; e < end; ++e) {
+                count.add_quality(shape_quality(mesh, field, mesh.elements[ElementId(e)]));
+            }
+        });
+    Conformity result;
+    result.edges = lengths.edges;
+    if (lengths.edges > 0) {
+        const auto n = static_cast<double>(lengths.edges);
+        result.in_band = static_cast<double>(lengths.in_band) / n;
+        result.below_half = static_cast<double>(lengths.below_half) / n;
+        result.above_two = static_cast<double>(lengths.above_two) / n;
+        result.shortest = lengths.shortest;
+        result.longest = lengths.longest;
+        result.mean_quality = shapes.quality / static_cast<double>(mesh.elements.size());
+        result.worst_quality = shapes.worst_quality;
+    }
+    return result;
+}
+
+template Conformity conformity<2>(const Mesh<2>&, const MetricField<2>&);
+template Conformity conformity<3>(const Mesh<3>&, const MetricField<3>&);
+
+} // namespace ameco

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/remesh/cavity.h"
+
+#include "core/geometry/predicates.h"
+
+#include <algorithm>
+
+namespace ameco {
+namespace {
+
+template <class Nodes>
+bool contains(const Nodes& nodes, NodeId v) {
+    return std::find(nodes.begin(), nodes.end(), v) != nodes.end();
+}
+
+template <int D>
+void add_facets_opposite(const EditMesh<D>& mesh, ElementId e, NodeId v, Cavity<D>& cavity) {
+    const Simplex<D>& s = mesh.nodes(e);
+    for (int i = 0; i <= D; ++i) {
+        if (s[i] == v) {
+            cavity.facets.push_back(facet_of<D>(s, i));
+            cavity.inside.push_back(e);
+        }
+    }
+}
+
+template <int D>
+void clear(Cavity<D>& cavity) {
+    cavity.elements.clear();
+    cavity.facets.clear();
+    cavity.inside.clear();
+}
+
+/// The element on `facet` (normal away from it) and `node`; the ghost, if any, in the last place.
+template <int D>
+Simplex<D> join(const Facet<D>& facet, NodeId node, NodeId ghost) {
+    if constexpr (D == 2) {
+        const NodeId a = facet[0], b = facet[1];
+        if (a == ghost) {
+            return {b, node, a};
+        }
+        if (b == ghost) {
+            return {node, a, b};
+        }
+        return {a, b, node};
+    } else {
+        const NodeId a = facet[0], b = facet[2], c = facet[1];
+        // Even permutations of (a, b, c, node).
+        if (a == ghost) {
+            return {b, node, c, a};
+        }
+        if (b == ghost) {
+            return {a, c, node, b};
+        }
+        if (c == ghost) {
+            return {a, node, b, c};
+        }
+        return {a, b, c, node};
+    }
+}
+
+template <int D>
+int orientation_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
+    if constexpr (D == 2) {
+        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]));
+    } else {
+        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]), mesh.point(s[3]));
+    }
+}
+
+} // namespace
+
+template <int D>
+void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity) {
+    clear(cavity);
+    for (const ElementId e : mesh.ball(v)) {
+        cavity.elements.push_back(e);
+        add_facets_opposite(mesh, e, v, cavity);
+    }
+}
+
+template <int D>
+void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity) {
+    clear(cavity);
+    for (const ElementId e : mesh.ball(a)) {
+        if (contains(mesh.nodes(e), b)) {
+            cavity.elements.push_back(e);
+            add_facets_opposite(mesh, e, a, cavity);
+            add_facets_opposite(mesh, e, b, cavity);
+        }
+    }
+}
+
+template <int D>
+void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& cavity) {
+    clear(cavity);
+    cavity.elements = {e, f};
+    for (const auto& [inside, other] : {std::pair(e, f), std::pair(f, e)}) {
+        for (const NodeId v : mesh.nodes(inside)) {
+            if (contains(mesh.nodes(other), v)) { // all but the facet between the two
+                add_facets_opposite(mesh, inside, v, cavity);
+            }
+        }
+    }
+}
+
+template <int D>
+Verdict make_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star) {
+    star.elements.clear();
+    star.sources.clear();
+    bool any_real = false;
+    for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
+        if (contains(cavity.facets[i], node)) {
+            continue;
+        }
+        const EditElement<D>& source = mesh.element(cavity.inside[i]);
+        const EditElement<D> fresh{join<D>(cavity.facets[i], node, mesh.ghost()), source.label,
+                                   source.measure};
+        if (fresh.nodes[D] != mesh.ghost()) {
+            if (orientation_of(mesh, fresh.nodes) <= 0) {
+                return Verdict::inverts_element;
+            }
+            any_real = true;
+        }
+        star.elements.push_back(fresh);
+        star.sources.push_back(cavity.inside[i]);
+    }
+    // Boundary faces alone: a part of the domain would be gone.
+    return any_real ? Verdict::accepted : Verdict::inverts_element;
+}
+
+template <int D>
+Verdict judge(const EditMesh<D>& mesh, const SizeField<D>& sizes, double floor, Star<D>& star) {
+    star.worst_quality = 1;
+    for (EditElement<D>& e : star.elements) {
+        if (e.nodes[D] == mesh.ghost()) {
+            continue;
+        }
+        const double q = size_quality(mesh, sizes, e.nodes);
+        e.measure = static_cast<float>(q);
+        star.worst_quality = std::min(star.worst_quality, q);
+        if (q < floor) {
+            return Verdict::low_quality;
+        }
+    }
+    return Verdict::accepted;
+}
+
+template <int D>
+double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
+    double worst = 1;
+    for (const ElementId e : cavity.elements) {
+        if (!mesh.is_ghost(e)) {
+            worst = std::min(worst, static_cast<double>(mesh.element(e).measure));
+        }
+    }
+    return worst;
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template void gather_ball(const EditMesh<D>&, NodeId, Cavity<D>&);                             \
+    template void gather_shell(const EditMesh<D>&, NodeId, NodeId, Cavity<D>&);                    \
+    template void gather_pair(const EditMesh<D>&, ElementId, ElementId, Cavity<D>&);               \
+    template Verdict make_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);            \
+    template Verdict judge(const EditMesh<D>&, const SizeField<D>&, double, Star<D>&);             \
+    template double worst_quality(const EditMesh<D>&, const Cavity<D>&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
+
+} // namespace ameco

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// The one operator: form a cavity, star it from a node, judge it, replace it.
+///
+/// A collapse stars the ball of a node from a neighbour, an edge swap the shell of an edge from a
+/// node of its ring, a face swap the two elements at a face from one of the two nodes opposite it.
+/// \see docs/theory/remeshing.md; paper, section 4.1
+#pragma once
+
+#include "core/remesh/edit_mesh.h"
+#include "core/remesh/size_quality.h"
+#include "core/remesh/verdict.h"
+
+namespace ameco {
+
+/// A set of elements and the facets around it.
+template <int D>
+struct Cavity {
+    std::vector<ElementId> elements; ///< real and ghost elements
+    std::vector<Facet<D>> facets;    ///< around the cavity, normals outwards
+    std::vector<ElementId> inside;   ///< the element of the cavity behind each facet
+};
+
+/// What would fill a cavity.
+template <int D>
+struct Star {
+    std::vector<EditElement<D>> elements;
+    std::vector<ElementId> sources; ///< see EditMesh::replace
+    double worst_quality = 0;       ///< size quality of the worst new element [-]
+};
+
+/// The ball of `v`.
+template <int D>
+void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity);
+
+/// All elements at the edge a, b.
+template <int D>
+void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity);
+
+/// Two elements with a common facet.
+template <int D>
+void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& cavity);
+
+/// Joins `node` to all facets of the cavity that do not contain it. Every new element must have
+/// strictly positive orientation (exact): with the ghost elements counted, the star then covers the
+/// cavity, which is the paper's principle of minimal volume (15).
+/// \return  accepted, or inverts_element; `star.worst_quality` is set by `judge`
+template <int D>
+[[nodiscard]] Verdict make_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node,
+                                Star<D>& star);
+
+/// Computes the size quality of the new elements; stops early once one is below `floor`.
+/// \return  accepted or low_quality
+template <int D>
+[[nodiscard]] Verdict judge(const EditMesh<D>& mesh, const SizeField<D>& sizes, double floor,
+                            Star<D>& star);
+
+/// Smallest size quality of the cavity's elements as they stand; 1 if there are none.
+template <int D>
+[[nodiscard]] double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity);
+
+} // namespace ameco

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/remesh/collapse.h"
+
+#include <algorithm>
+
+namespace ameco {
+namespace {
+
+template <int D>
+bool share_boundary_edge(const EditMesh<D>& mesh, NodeId a, NodeId b) {
+    const auto ball = mesh.ball(a);
+    return std::any_of(ball.begin(), ball.end(), [&](ElementId e) {
+        const Simplex<D>& s = mesh.nodes(e);
+        return mesh.is_ghost(e) && std::find(s.begin(), s.end(), b) != s.end();
+    });
+}
+
+} // namespace
+
+template <int D>
+Verdict allowed_by_geometry(const EditMesh<D>& mesh, Collapse collapse) {
+    switch (mesh.node_class(collapse.removed)) {
+    case NodeClass::interior:
+        return Verdict::accepted;
+    case NodeClass::patch:
+        return mesh.on_boundary(collapse.kept) &&
+                       share_boundary_edge(mesh, collapse.removed, collapse.kept)
+                   ? Verdict::accepted
+                   : Verdict::geometry_class;
+    case NodeClass::ridge:
+        return mesh.is_ridge(collapse.removed, collapse.kept) ? Verdict::accepted
+                                                              : Verdict::geometry_class;
+    case NodeClass::frozen:
+        break;
+    }
+    return Verdict::geometry_class;
+}
+
+template <int D>
+Verdict propose_collapse(const EditMesh<D>& mesh, const SizeField<D>& sizes,
+                         const SurfaceRules& surface, const QualityFloor& quality,
+                         double short_size, Collapse collapse, const Cavity<D>& ball,
+                         Star<D>& star) {
+    Verdict verdict = allowed_by_geometry(mesh, collapse);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    verdict = make_star(mesh, ball, collapse.kept, star);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    const double floor = std::min(quality.floor, quality.share * worst_quality(mesh, ball));
+    verdict = judge(mesh, sizes, floor, star);
+    // A ball inside the domain that is covered by positive elements stays one; on the boundary the
+    // surface must stay a manifold too.
+    if (verdict == Verdict::accepted && mesh.on_boundary(collapse.removed)) {
+        verdict = check_link(mesh, collapse.removed, collapse.kept);
+        if (verdict == Verdict::accepted) {
+            verdict = judge_surface(mesh, ball, short_size, surface, star);
+        }
+    }
+    return verdict;
+}
+
+template <int D>
+void apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
+                    const Star<D>& star) {
+    if (mesh.node_class(collapse.removed) == NodeClass::ridge) {
+        mesh.merge_ridges(collapse.removed, collapse.kept);
+    }
+    mesh.replace(ball.elements, star.elements, star.sources);
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template Verdict allowed_by_geometry(const EditMesh<D>&, Collapse);                            \
+    template Verdict propose_collapse(const EditMesh<D>&, const SizeField<D>&,                     \
+                                      const SurfaceRules&, const QualityFloor&, double, Collapse,  \
+                                      const Cavity<D>&, Star<D>&);                                 \
+    template void apply_collapse(EditMesh<D>&, Collapse, const Cavity<D>&, const Star<D>&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
+
+} // namespace ameco

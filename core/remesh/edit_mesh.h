@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// The mesh that the operators edit in place.
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/mesh/simplex.h"
+#include "core/remesh/geometry_classes.h"
+
+#include <span>
+#include <unordered_map>
+
+namespace ameco {
+
+/// One element of an EditMesh.
+template <int D>
+struct EditElement {
+    Simplex<D> nodes;
+    int label = 0; ///< region; of a ghost element: patch
+    float measure =
+        0; ///< size quality; of a ghost element: distance bound to the finest boundary [L]
+};
+
+/// A simplicial mesh closed by a ghost node, with the ball of every node at hand.
+///
+/// As in MTC every boundary face, joined to one virtual node, is an element too (a *ghost
+/// element*). The mesh then has no boundary, and an operator treats the nodes, edges and faces of
+/// the boundary as all others. Ghost elements have the ghost as their last node; the first D nodes
+/// are the boundary face. Faces inside the domain are kept aside: their nodes are frozen.
+///
+/// Nodes keep their ids while the mesh is edited; a removed node has an empty ball. Free element
+/// slots have no valid node.
+template <int D>
+class EditMesh {
+public:
+    EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes);
+
+    [[nodiscard]] NodeId ghost() const { return ghost_; }
+    [[nodiscard]] std::size_t node_count() const { return points_.size(); }
+    [[nodiscard]] std::size_t slot_count() const { return elements_.size(); }
+    [[nodiscard]] IdVector<NodeId, Vec<D>>::Ids nodes() const { return points_.ids(); }
+
+    [[nodiscard]] const Vec<D>& point(NodeId v) const { return points_[v]; }
+    [[nodiscard]] const EditElement<D>& element(ElementId e) const { return elements_[e]; }
+    [[nodiscard]] const Simplex<D>& nodes(ElementId e) const { return elements_[e].nodes; }
+    [[nodiscard]] bool is_free(ElementId e) const { return !elements_[e].nodes[0].valid(); }
+    [[nodiscard]] bool is_ghost(ElementId e) const { return elements_[e].nodes[D] == ghost_; }
+    void set_measure(ElementId e, float measure) { elements_[e].measure = measure; }
+
+    /// Elements at a node, ghost elements among them; empty for a removed node.
+    [[nodiscard]] std::span<const ElementId> ball(NodeId v) const {
+        return {pool_.data() + ball_[v].start, static_cast<std::size_t>(ball_[v].size)};
+    }
+    [[nodiscard]] bool is_removed(NodeId v) const { return ball_[v].size == 0; }
+
+    [[nodiscard]] NodeClass node_class(NodeId v) const { return class_[v]; }
+    [[nodiscard]] bool on_boundary(NodeId v) const { return on_boundary_[v] != 0; }
+
+    [[nodiscard]] bool is_ridge(NodeId a, NodeId b) const {
+        return ridges_.find(sorted(Edge{a, b})) != ridges_.end();
+    }
+    /// Whether a face of the boundary is one that must stay as it is.
+    [[nodiscard]] bool is_required(const Facet<D>& face) const;
+    /// Whether edges between frozen nodes may belong to faces inside the domain or required
+    /// elements, which no swap may touch.
+    [[nodiscard]] bool has_protected_inside() const {
+        return !interior_.empty() || !features_.required_elements.empty();
+    }
+
+    /// Puts `fresh` in the place of `old`. Slots of `old` are used again: that of `sources[i]` (an
+    /// element of `old`; equal ones stand beside each other, in the order of `old`) for `fresh[i]`
+    /// where it is not yet taken.
+    void replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
+                 std::span<const ElementId> sources);
+
+    /// Moves the ridge edges at `removed` to `kept`, after a collapse along a ridge.
+    void merge_ridges(NodeId removed, NodeId kept);
+
+    /// What is left, compacted; `parent[i]` is the id that node i had here. Nodes keep their order.
+    struct Compact {
+        Mesh<D> mesh;
+        GeometryClasses<D> classes;
+        IdVector<NodeId, NodeId> parent;
+    };
+    [[nodiscard]] Compact compact() const;
+
+private:
+    struct Ball {
+        std::int64_t start = 0;
+        std::int32_t size = 0;
+        std::int32_t capacity = 0;
+    };
+    struct EdgeHash {
+        std::size_t operator()(const Edge& e) const {
+            return (e[0].index() * 0x9E3779B97F4A7C15ull) ^ (e[1].index() + 0x7F4A7C15ull);
+        }
+    };
+
+    void fill_balls();
+    void add_to_ball(NodeId v, ElementId e);
+    void remove_from_ball(NodeId v, ElementId e);
+    void put(ElementId slot, const EditElement<D>& fresh);
+    [[nodiscard]] ElementId free_slot();
+    [[nodiscard]] Features compact_features(const IdVector<NodeId, NodeId>& new_id,
+                                            const GeometryClasses<D>& classes,
+                                            const Mesh<D>& mesh) const;
+
+    NodeId ghost_;
+    IdVector<NodeId, Vec<D>> points_;
+    IdVector<NodeId, int> labels_;
+    IdVector<ElementId, EditElement<D>> elements_;
+    std::vector<ElementId> free_;
+    IdVector<NodeId, Ball> ball_;
+    std::vector<ElementId> pool_;
+
+    IdVector<NodeId, NodeClass> class_;
+    IdVector<NodeId, std::uint8_t> on_boundary_;
+    std::unordered_map<Edge, RidgeEdge, EdgeHash> ridges_;
+    std::vector<Facet<D>> required_faces_;           ///< sorted
+    std::vector<Facet<D>> ridge_faces_;              ///< D = 2: faces that files call ridges
+    std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
+    std::map<int, std::string> patch_names_;
+    Features features_;                ///< of the mesh this was made from
+    std::vector<ElementId> left_over_; ///< scratch of `replace`
+};
+
+/// Ghost element of a boundary face whose normal points outwards.
+template <int D>
+[[nodiscard]] Simplex<D> ghost_simplex(const Facet<D>& face, NodeId ghost) {
+    if constexpr (D == 2) {
+        return {face[1], face[0], ghost};
+    } else {
+        return {face[0], face[1], face[2], ghost};
+    }
+}
+
+/// The boundary face of a ghost element, normal outwards.
+template <int D>
+[[nodiscard]] Facet<D> ghost_face(const Simplex<D>& ghost_element) {
+    if constexpr (D == 2) {
+        return {ghost_element[1], ghost_element[0]};
+    } else {
+        return {ghost_element[0], ghost_element[1], ghost_element[2]};
+    }
+}
+
+} // namespace ameco

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/remesh/lines.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ameco {
+namespace {
+
+/// The one or two neighbours a node wants to be linked with.
+template <int D>
+std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplings, NodeId v,
+                                   const LineOptions& options) {
+    std::array<NodeId, 3> best;
+    std::array<float, 3> c{0, 0, 0};
+    const auto neighbours = couplings.neighbours[v];
+    const auto values = couplings.at(v);
+    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+        // Equal couplings keep the order of the ids, so that the choice is the same everywhere.
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (values[i] > c[k]) {
+                std::move_backward(c.begin() + k, c.end() - 1, c.end());
+                std::move_backward(best.begin() + k, best.end() - 1, best.end());
+                c[k] = values[i];
+                best[k] = neighbours[i];
+                break;
+            }
+        }
+    }
+    const auto tau = static_cast<float>(options.dominance);
+    if (best[1].valid() && c[1] >= tau * c[2]) {
+        const Vec<D> a = mesh.points[best[0]] - mesh.points[v];
+        const Vec<D> b = mesh.points[best[1]] - mesh.points[v];
+        if (a.dot(b) < options.largest_cosine * a.norm() * b.norm()) {
+            return {best[0], best[1]};
+        }
+    }
+    if (best[0].valid() && c[0] >= tau * c[1]) {
+        return {best[0], NodeId()};
+    }
+    return {};
+}
+
+bool wants(const std::array<NodeId, 2>& links, NodeId v) {
+    return links[0] == v || links[1] == v;
+}
+
+/// Follows the links from one end of a chain.
+std::vector<NodeId> walk(const IdVector<NodeId, std::array<NodeId, 2>>& links, NodeId end) {
+    std::vector<NodeId> chain{end};
+    NodeId before;
+    NodeId at = end;
+    while (true) {
+        const auto& l = links[at];
+        const NodeId onward = l[0].valid() && l[0] != before ? l[0] : l[1];
+        if (!onward.valid() || onward == before) {
+            return chain;
+        }
+        before = at;
+        at = onward;
+        chain.push_back(at);
+    }
+}
+
+} // namespace
+
+void Lines::remove(NodeId v) {
+    const NodeId before = previous[v], after = next[v];
+    if (before.valid()) {
+        next[before] = after;
+        gap_used[before] = 1;
+    }
+    if (after.valid()) {
+        previous[after] = before;
+    }
+    previous[v] = next[v] = NodeId();
+    position[v] = -1;
+}
+
+template <int D>
+Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                 const IdVector<NodeId, double>& key, const LineOptions& options) {
+    const std::size_t n = mesh.points.size();
+    IdVector<NodeId, std::array<NodeId, 2>> wanted(n), links(n);
+    for (const NodeId v : mesh.points.ids()) {
+        wanted[v] = wanted_links(mesh, couplings, v, options);
+    }
+    for (const NodeId v : mesh.points.ids()) {
+        std::size_t k = 0;
+        for (const NodeId w : wanted[v]) {
+            if (w.valid() && wants(wanted[w], v)) {
+                links[v][k++] = w;
+            }
+        }
+    }
+    Lines lines;
+    lines.previous.resize(n);
+    lines.next.resize(n);
+    lines.position.assign(n, -1);
+    lines.gap_used.assign(n, 0);
+    for (const NodeId v : mesh.points.ids()) {
+        const bool is_end = links[v][0].valid() && !links[v][1].valid();
+        if (!is_end || lines.position[v] >= 0) {
+            continue; // closed chains have no end, and stay off the lines
+        }
+        std::vector<NodeId> chain = walk(links, v);
+        if (std::pair(key[chain.back()], chain.back()) < std::pair(key[v], v)) {
+            std::reverse(chain.begin(), chain.end());
+        }
+        for (std::size_t i = 0; i < chain.size(); ++i) {
+            lines.position[chain[i]] = static_cast<std::int32_t>(i);
+            lines.previous[chain[i]] = i > 0 ? chain[i - 1] : NodeId();
+            lines.next[chain[i]] = i + 1 < chain.size() ? chain[i + 1] : NodeId();
+        }
+        ++lines.count;
+        lines.node_count += static_cast<std::int64_t>(chain.size());
+    }
+    return lines;
+}
+
+template Lines find_lines(const Mesh<2>&, const Couplings&, const IdVector<NodeId, double>&,
+                          const LineOptions&);
+template Lines find_lines(const Mesh<3>&, const Couplings&, const IdVector<NodeId, double>&,
+                          const LineOptions&);
+
+} // namespace ameco

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Lines of strongly coupled nodes across the layers of a mesh.
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/remesh/couplings.h"
+
+#include <cstdint>
+
+namespace ameco {
+
+/// Chains of nodes that are coupled to their two neighbours on the chain much more strongly than to
+/// any other node: the lines along which a boundary layer is coarsened. One node too many that
+/// leaves a single line makes the two-grid factor jump from 1/9 to above 0.9, and no statistic of
+/// the mesh shows it; so lines are explicit, and kept whole.
+struct Lines {
+    IdVector<NodeId, NodeId> previous, next; ///< none at an end of a line and off the lines
+    IdVector<NodeId, std::int32_t> position; ///< 0, 1, ... from the wall end; -1 off the lines
+    /// Whether the gap between a node and `next` lost a node already; then neither end may go.
+    IdVector<NodeId, std::uint8_t> gap_used;
+    std::int64_t count = 0;      ///< number of lines
+    std::int64_t node_count = 0; ///< number of nodes on them
+
+    [[nodiscard]] bool on_line(NodeId v) const { return position[v] >= 0; }
+    /// Whether a and b follow each other on a line.
+    [[nodiscard]] bool linked(NodeId a, NodeId b) const {
+        return next[a] == b || (next[b] == a && b.valid());
+    }
+    /// Whether a gap beside `v` lost a node already.
+    [[nodiscard]] bool beside_used_gap(NodeId v) const {
+        return gap_used[v] != 0 || (previous[v].valid() && gap_used[previous[v]] != 0);
+    }
+    /// Takes `v` off its line: the two gaps beside it become one, marked as used.
+    void remove(NodeId v);
+};
+
+struct LineOptions {
+    double dominance = 2;         ///< strong coupling over the next weaker one [-], >= 1
+    double largest_cosine = -0.3; ///< of the angle between the two strong edges at a node
+};
+
+/// Finds the lines of a mesh. A node is inside a line if its two strongest couplings point in
+/// opposite directions and exceed the third `dominance` times, an end if only its strongest exceeds
+/// the second; links must be mutual.
+/// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller
+template <int D>
+[[nodiscard]] Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                               const IdVector<NodeId, double>& key,
+                               const LineOptions& options = {});
+
+} // namespace ameco

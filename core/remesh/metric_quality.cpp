@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/remesh/metric_quality.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ameco {
+namespace {
+
+template <int D>
+Tensor<D> mean_root(const RootField<D>& root, const Simplex<D>& s) {
+    Tensor<D> m{};
+    for (const NodeId v : s) {
+        for (int i = 0; i < tensor_size<D>; ++i) {
+            m[i] += root[v][i];
+        }
+    }
+    for (double& x : m) {
+        x /= D + 1;
+    }
+    return m;
+}
+
+/// adj(S) e and det(S).
+double apply_adjugate(const Tensor<2>& s, const Vec<2>& e, Vec<2>& out) {
+    out = {s[2] * e[0] - s[1] * e[1], s[0] * e[1] - s[1] * e[0]};
+    return s[0] * s[2] - s[1] * s[1];
+}
+
+double apply_adjugate(const Tensor<3>& s, const Vec<3>& e, Vec<3>& out) {
+    const double xx = s[3] * s[5] - s[4] * s[4];
+    const double xy = s[2] * s[4] - s[1] * s[5];
+    const double xz = s[1] * s[4] - s[2] * s[3];
+    const double yy = s[0] * s[5] - s[2] * s[2];
+    const double yz = s[1] * s[2] - s[0] * s[4];
+    const double zz = s[0] * s[3] - s[1] * s[1];
+    out = {xx * e[0] + xy * e[1] + xz * e[2], xy * e[0] + yy * e[1] + yz * e[2],
+           xz * e[0] + yz * e[1] + zz * e[2]};
+    return s[0] * xx + s[1] * xy + s[2] * xz;
+}
+
+double edge_determinant(const std::array<Vec<2>, 3>& x) {
+    const Vec<2> a = x[1] - x[0], b = x[2] - x[0];
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+double edge_determinant(const std::array<Vec<3>, 4>& x) {
+    const Vec<3> a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+} // namespace
+
+template <int D>
+RootField<D> make_root_field(const MetricField<D>& target) {
+    RootField<D> root(target.size());
+    parallel_for(target.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Metric<D>& m = target[NodeId(i)];
+            const Mat<D> s = m.directions * m.sizes.asDiagonal() * m.directions.transpose();
+            int k = 0;
+            for (int r = 0; r < D; ++r) {
+                for (int c = r; c < D; ++c) {
+                    root[NodeId(i)][k++] = s(r, c);
+                }
+            }
+        }
+    });
+    return root;
+}
+
+template <int D>
+double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
+                      const Simplex<D>& element) {
+    const Tensor<D> s = mean_root<D>(root, element);
+    std::array<Vec<D>, D + 1> x;
+    for (int i = 0; i <= D; ++i) {
+        x[i] = mesh.point(element[i]);
+    }
+    double sum = 0, det = 0;
+    for (const auto& [i, j] : SimplexNumbering<D>::edges) {
+        Vec<D> y;
+        det = apply_adjugate(s, x[j] - x[i], y);
+        sum += y.squaredNorm();
+    }
+    // Mean square length (18), and the volume over that of the regular simplex of edge 1.
+    const double h2 = sum / (det * det) / SimplexNumbering<D>::edge_count;
+    const double regular = D == 2 ? std::sqrt(3.0) / 2 : std::sqrt(0.5);
+    const double volume = edge_determinant(x) / (det * regular);
+    const double h = std::sqrt(h2);
+    const double h_d = D == 2 ? h2 : h2 * h;
+    const double shape = volume / h_d;
+    const double size = std::min(h_d, 1 / h_d);
+    return std::max(0.0, shape * size);
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template RootField<D> make_root_field(const MetricField<D>&);                                  \
+    template double metric_quality(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
+
+} // namespace ameco

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// How far an operation may turn and move the boundary.
+#pragma once
+
+#include "core/remesh/cavity.h"
+
+namespace ameco {
+
+struct SurfaceRules {
+    double largest_turn_deg =
+        30; ///< between the normals of a new face and the one it replaces [deg]
+    double relative_distance = 0.05; ///< bound on the distance to the finest boundary, over the
+                                     ///< mean edge of the faces concerned [-]
+    double layer_share = 0.3; ///< one operation may move the boundary by this share of h_1 [-]
+};
+
+/// Judges the boundary faces in a star against those of the cavity it fills.
+///
+/// The distance between the two surfaces is sampled at nodes and edge midpoints of both. It is
+/// added to the largest bound of the faces replaced, so that by the triangle inequality the bound
+/// of a face stays one for its distance to the finest boundary, over all levels; new ghost elements
+/// carry it as their measure.
+///
+/// \param short_size  h_1 of the natural metric nearby [L]: the surface must not pass the layer
+/// above \return            accepted, surface_normal or surface_distance
+template <int D>
+[[nodiscard]] Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity,
+                                    double short_size, const SurfaceRules& rules, Star<D>& star);
+
+/// Whether the collapse of `removed` onto `kept`, both on the boundary, leaves the boundary a
+/// manifold: the links of the two nodes, with the ghost elements, meet in the link of their edge
+/// only.
+template <int D>
+[[nodiscard]] Verdict check_link(const EditMesh<D>& mesh, NodeId removed, NodeId kept);
+
+} // namespace ameco
