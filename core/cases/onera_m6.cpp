@@ -288,8 +288,9 @@ const std::vector<OneraM6Preset>& onera_m6_presets() {
         large.growth_layers = 165;
         large.first_height = 0.86e-6;
         large.growth = 1.0443;
-        large.thin_ratio = 0.1;
-        large.thin_reach = 0.12;
+        large.thin_ratio = 0.0128;
+        large.thin_reach = 0.022;
+        large.thin_power = 0.6265;
         return std::vector<OneraM6Preset>{
             {"m6-8k", small}, {"m6-67k", {}}, {"m6-500k", medium}, {"m6-2m", large}};
     }();
