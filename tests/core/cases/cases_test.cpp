@@ -7,6 +7,7 @@
 #include "core/mesh/check.h"
 
 #include <set>
+#include <tuple>
 
 #include <QtTest>
 
@@ -32,7 +33,7 @@ Values small(const std::string& name) {
 
 std::string error_of(const std::string& name, const Values& values) {
     try {
-        make_case(name, values);
+        std::ignore = make_case(name, values);
     } catch (const UsageError& e) {
         return e.what();
     }
@@ -76,7 +77,7 @@ void CasesTest::makes_every_case_valid_in_every_dimension() {
         for (const CaseParameter& p : c.parameters) {
             if (p.name == "dim") {
                 Values values = small(c.name);
-                values["dim"] = "2";
+                values.emplace("dim", "2");
                 const auto flat = make_case(c.name, values);
                 QVERIFY(std::holds_alternative<Mesh<2>>(flat));
                 QVERIFY(check(std::get<Mesh<2>>(flat)).valid());
