@@ -132,7 +132,7 @@ private:
             ->group(group);
         add_slack_option(app, coarsen.target)->group(group);
         add_mean_option(app, mean_)->group(group);
-        app.add_option("--surface-deviation", coarsen.surface_deviation,
+        app.add_option("--surface-deviation", coarsen.removal.surface.relative_distance,
                        "how far the boundary may move, over the local size of the surface mesh")
             ->type_name("D")
             ->check(number_within(0, HUGE_VAL))

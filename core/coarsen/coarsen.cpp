@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/metric/complexity.h"
+#include "core/metric/expected_nodes.h"
 #include "core/remesh/front_order.h"
 
 #include <chrono>
@@ -160,7 +160,8 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     report.predicted_nodes = static_cast<double>(report.nodes_before) *
-                             complexity(fine.mesh, target) / complexity(fine.mesh, fine.natural);
+                             expected_nodes(fine.mesh, target) /
+                             expected_nodes(fine.mesh, fine.natural);
     report.conformity_before = conformity(fine.mesh, fine.natural);
     LevelData<D> data;
     prepare_metrics(fine, target, data);

@@ -26,7 +26,7 @@ Json settings_json(const Hierarchy& h) {
             {"mean", name(o.mean)},
             {"factor", o.target.factor},
             {"slack", o.target.slack},
-            {"surface_deviation", o.surface_deviation},
+            {"surface_deviation", o.removal.surface.relative_distance},
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
             {"frozen_patches", o.features.frozen_patches},
@@ -49,7 +49,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     o.mean = mean_from_name(json.at("mean").get<std::string>());
     json.at("factor").get_to(o.target.factor);
     json.at("slack").get_to(o.target.slack);
-    json.at("surface_deviation").get_to(o.surface_deviation);
+    json.at("surface_deviation").get_to(o.removal.surface.relative_distance);
     json.at("ridge_angle_deg").get_to(o.features.ridge_angle_deg);
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);
     json.at("frozen_patches").get_to(o.features.frozen_patches);

@@ -73,18 +73,25 @@ void check_positive(const IdVector<NodeId, Tensor<D>>& tensors, const MetricFiel
     throw InputError(text);
 }
 
+template <int D>
+MetricField<D> checked_metrics(const IdVector<NodeId, Tensor<D>>& tensors,
+                               const std::string& name) {
+    MetricField<D> field = to_metrics<D>(tensors);
+    check_positive<D>(tensors, field, name);
+    return field;
+}
+
 } // namespace
 
 MetricFile read_metric(const std::filesystem::path& path) {
     TensorFile source = read_tensors(path);
     MetricFile file;
-    std::visit(
-        [&](const auto& tensors) {
-            auto field = to_metrics(tensors);
-            check_positive(tensors, field, path.string());
-            file.field = std::move(field);
-        },
-        source.tensors);
+    if (const auto* solid = std::get_if<IdVector<NodeId, Tensor<3>>>(&source.tensors)) {
+        file.field = checked_metrics<3>(*solid, path.string());
+    } else {
+        const auto& flat = std::get<IdVector<NodeId, Tensor<2>>>(source.tensors);
+        file.field = checked_metrics<2>(flat, path.string());
+    }
     file.format = std::move(source.format);
     file.format_version = source.format_version;
     file.notes = std::move(source.notes);
