@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// The makers of the subcommands, one per *_command.cpp.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace ameco::cli {
+
+[[nodiscard]] std::unique_ptr<Command> make_info_command();
+[[nodiscard]] std::unique_ptr<Command> make_check_command();
+[[nodiscard]] std::unique_ptr<Command> make_metric_command();
+[[nodiscard]] std::unique_ptr<Command> make_coarsen_command();
+[[nodiscard]] std::unique_ptr<Command> make_convert_command();
+[[nodiscard]] std::unique_ptr<Command> make_case_command();
+
+} // namespace ameco::cli

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/cli/mesh_input.h"
+
+#include "app/cli/report.h"
+
+#include <algorithm>
+
+namespace ameco::cli {
+
+namespace fs = std::filesystem;
+
+MeshFile load_mesh(const fs::path& path, Session& session) {
+    session.monitor.progress(0, "reading " + path.filename().string());
+    MeshFile file = read_mesh(path);
+    for (const std::string& note : file.notes) {
+        session.monitor.message(Severity::info, path.string() + ": " + note);
+    }
+    return file;
+}
+
+ReadyMesh load_valid_mesh(const fs::path& path, double ridge_angle_deg, Session& session) {
+    ReadyMesh ready{load_mesh(path, session), {}};
+    std::visit(
+        [&](auto& mesh) {
+            ready.repair = complete_boundary(mesh, ridge_angle_deg);
+            for (const std::string& remark : repair_remarks(ready.repair)) {
+                session.monitor.message(Severity::info, path.string() + ": " + remark);
+            }
+            session.monitor.progress(0, "checking " + path.filename().string());
+            const CheckReport report = check(mesh);
+            if (!report.valid()) {
+                throw InputError(path.string() + ": not a valid mesh: " + report.summary() +
+                                 " (ameco check " + path.string() + " lists everything)");
+            }
+        },
+        ready.file.mesh);
+    return ready;
+}
+
+std::vector<std::string> repair_remarks(const BoundaryRepair& repair) {
+    std::vector<std::string> remarks;
+    if (repair.elements_turned) {
+        remarks.emplace_back("all elements had negative orientation and were turned");
+    }
+    if (repair.faces_turned > 0) {
+        remarks.push_back(plural(repair.faces_turned, "boundary face") + " pointed inwards and " +
+                          (repair.faces_turned == 1 ? "was" : "were") + " turned");
+    }
+    if (repair.faces_added > 0) {
+        remarks.push_back(plural(repair.faces_added, "boundary face") + " missing in the file " +
+                          (repair.faces_added == 1 ? "was" : "were") + " added, as patch " +
+                          std::to_string(repair.first_new_patch) + " and up");
+    }
+    if (repair.orphans_removed > 0) {
+        remarks.push_back(plural(repair.orphans_removed, "node") + " that no element uses " +
+                          (repair.orphans_removed == 1 ? "was" : "were") + " left out");
+    }
+    return remarks;
+}
+
+std::string element_word(int dimension) {
+    return dimension == 3 ? "tets" : "triangles";
+}
+
+bool is_metric_name(const fs::path& path) {
+    const fs::path plain = path.extension() == ".gz" ? path.stem() : path;
+    return plain.extension() == ".sol" || plain.extension() == ".solb";
+}
+
+void refuse_overwriting(const fs::path& input, const fs::path& output) {
+    std::error_code ignored;
+    if (fs::equivalent(input, output, ignored)) {
+        throw UsageError(output.string() +
+                         ": this is the input, which is never overwritten: name another output");
+    }
+}
+
+void require_suffix(const fs::path& output, const std::vector<std::string>& suffixes) {
+    if (std::find(suffixes.begin(), suffixes.end(), output.extension().string()) !=
+        suffixes.end()) {
+        return;
+    }
+    std::string list;
+    for (const std::string& suffix : suffixes) {
+        list += (list.empty() ? "" : " or ") + suffix;
+    }
+    throw UsageError(output.string() + ": its name must end in " + list);
+}
+
+Facts conformity_facts(const Conformity& c) {
+    return {{"edge lengths", percent_text(c.in_band) + " of " + count_text(c.edges) +
+                                 " within 0.71 - 1.41, " + percent_text(c.below_half) +
+                                 " below 0.5, " + percent_text(c.above_two) + " above 2"},
+            {"", "shortest " + number_text(c.shortest) + ", longest " + number_text(c.longest)},
+            {"quality",
+             "mean " + number_text(c.mean_quality) + ", worst " + number_text(c.worst_quality)}};
+}
+
+Facts aspect_ratio_facts(const AspectRatioSummary& s) {
+    return {{"aspect ratio", "max " + number_text(s.max) + ", 5 % of the nodes above " +
+                                 number_text(s.top_5_percent) + ", median " +
+                                 number_text(s.median)},
+            {"", percent_text(s.share_isotropic) + " of the nodes below 5, " +
+                     percent_text(s.share_above_150) + " above 150"}};
+}
+
+} // namespace ameco::cli

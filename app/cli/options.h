@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Options that several subcommands share, and tests of their values that say what is wrong in
+/// plain words.
+#pragma once
+
+#include "core/coarsen/target_metric.h"
+#include "core/metric/nodal_metric.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ameco::cli {
+
+/// Accepts a whole number in [low, high].
+[[nodiscard]] CLI::Validator whole_number(long low, long high);
+/// Accepts a finite number greater than `bound`.
+[[nodiscard]] CLI::Validator greater_than(double bound);
+/// Accepts a finite number in [low, high].
+[[nodiscard]] CLI::Validator number_within(double low, double high);
+/// Accepts one of the words.
+[[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
+
+/// Adds `--mean`; its value is converted by `mean_from_name`.
+CLI::Option* add_mean_option(CLI::App& app, std::string& mean);
+[[nodiscard]] Mean mean_from_name(const std::string& text);
+
+CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target);
+
+} // namespace ameco::cli

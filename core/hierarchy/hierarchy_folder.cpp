@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/hierarchy/hierarchy_folder.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/hierarchy/content_hash.h"
+#include "core/hierarchy/hierarchy_json.h"
+#include "core/hierarchy/level_state.h"
+#include "core/io/atomic_file.h"
+#include "core/io/io.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace ameco {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* list_name = "hierarchy.json";
+constexpr const char* timing_name = "timing.json";
+
+void create_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure || !fs::is_directory(folder)) {
+        throw FileError(folder.string() + ": cannot be made a folder" +
+                        (failure ? " (" + failure.message() + ")" : "") +
+                        ": choose another place for the levels");
+    }
+}
+
+void write_whole(const fs::path& path, const std::string& bytes) {
+    AtomicFile file(path);
+    file.write(bytes.data(), bytes.size());
+    file.commit();
+}
+
+std::string read_whole(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file || !text) {
+        throw FileError(path.string() + ": cannot be read: does it exist, may you read it?");
+    }
+    return std::move(text).str();
+}
+
+void copy_whole(const fs::path& from, const fs::path& to) {
+    std::ifstream source(from, std::ios::binary);
+    AtomicFile target(to);
+    std::vector<char> buffer(std::size_t{1} << 20);
+    while (source.read(buffer.data(), static_cast<std::streamsize>(buffer.size())),
+           source.gcount() > 0) {
+        target.write(buffer.data(), static_cast<std::size_t>(source.gcount()));
+    }
+    if (!source.eof()) {
+        throw FileError(from.string() + ": cannot be read");
+    }
+    target.commit();
+}
+
+HashedFile hashed(const fs::path& folder, const std::string& file) {
+    return {file, content_hash_of_file(folder / file)};
+}
+
+bool is_intact(const fs::path& folder, const HashedFile& file) {
+    if (file.name.empty()) {
+        return true;
+    }
+    try {
+        return content_hash_of_file(folder / file.name) == file.hash;
+    } catch (const FileError&) {
+        return false;
+    }
+}
+
+std::vector<std::string> listed_files(const Hierarchy& hierarchy) {
+    std::vector<std::string> names{hierarchy.input.file.name};
+    for (const HierarchyLevel& level : hierarchy.levels) {
+        for (const HashedFile* file : {&level.mesh, &level.metric, &level.state}) {
+            names.push_back(file->name);
+        }
+    }
+    return names;
+}
+
+void remove_others(const fs::path& folder, const Hierarchy& hierarchy) {
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.is_regular_file() && is_hierarchy_file(entry.path().filename().string())) {
+            old.push_back(entry.path());
+        }
+    }
+    // The list goes first, so that it never names a file that is gone.
+    std::sort(old.begin(), old.end(), [](const fs::path& a, const fs::path& b) {
+        return std::pair(a.filename() != list_name, a) < std::pair(b.filename() != list_name, b);
+    });
+    const std::vector<std::string> keep = listed_files(hierarchy);
+    for (const fs::path& file : old) {
+        const std::string name = file.filename().string();
+        if (std::find(keep.begin(), keep.end(), name) == keep.end()) {
+            std::error_code failure;
+            fs::remove(file, failure);
+            if (failure) {
+                throw FileError(file.string() + ": cannot be removed: " + failure.message());
+            }
+        }
+    }
+}
+
+template <int D>
+Mesh<D> take(MeshFile&& file, const fs::path& path) {
+    Mesh<D>* const mesh = std::get_if<Mesh<D>>(&file.mesh);
+    if (mesh == nullptr) {
+        throw InputError(path.string() + ": is not of the hierarchy's dimension " +
+                         std::to_string(D));
+    }
+    return std::move(*mesh);
+}
+
+} // namespace
+
+HierarchyFolder::HierarchyFolder(fs::path folder, const fs::path& source, Hierarchy start,
+                                 std::vector<LevelTiming> timings)
+    : folder_(std::move(folder)), hierarchy_(std::move(start)), timings_(std::move(timings)) {
+    create_folder(folder_);
+    remove_others(folder_, hierarchy_);
+    if (hierarchy_.levels.empty()) {
+        HierarchyInput& input = hierarchy_.input;
+        if (input.copied) {
+            input.file.name = "level_0" + source.extension().string();
+            copy_whole(source, folder_ / input.file.name);
+        } else {
+            input.file.name = fs::proximate(fs::canonical(source), fs::canonical(folder_)).string();
+        }
+        input.file.hash = content_hash_of_file(source);
+    }
+    hierarchy_.status = HierarchyStatus::in_progress;
+    std::erase_if(timings_, [&](const LevelTiming& timing) {
+        return timing.level >= static_cast<int>(hierarchy_.levels.size());
+    });
+    write_lists();
+}
+
+template <int D>
+void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& statistics,
+                                LevelTiming timing) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string number = std::to_string(statistics.level);
+    HierarchyLevel entry;
+    entry.statistics = statistics;
+    if (statistics.level == 0) {
+        entry.mesh = hierarchy_.input.file;
+    } else {
+        const std::string mesh = "level_" + number + hierarchy_.mesh_suffix;
+        write_mesh(folder_ / mesh, level.mesh);
+        entry.mesh = hashed(folder_, mesh);
+        const std::string state = "state_" + number + ".cbor";
+        write_whole(folder_ / state, level_state_bytes(level));
+        entry.state = hashed(folder_, state);
+    }
+    const bool text = hierarchy_.mesh_suffix == ".mesh";
+    const std::string metric = "metric_" + number + (text ? ".sol" : ".solb");
+    write_metric(folder_ / metric, level.natural);
+    entry.metric = hashed(folder_, metric);
+    hierarchy_.levels.push_back(std::move(entry));
+    timing.write = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    timings_.push_back(timing);
+    write_lists();
+}
+
+void HierarchyFolder::finish(HierarchyStatus status) {
+    hierarchy_.status = status;
+    write_lists();
+}
+
+void HierarchyFolder::write_lists() const {
+    write_whole(folder_ / timing_name, timing_text(timings_, thread_count()));
+    write_whole(folder_ / list_name, hierarchy_text(hierarchy_));
+}
+
+Hierarchy read_hierarchy(const fs::path& folder) {
+    const fs::path file = fs::is_directory(folder) ? folder / list_name : folder;
+    return parse_hierarchy(read_whole(file), file.string());
+}
+
+std::vector<LevelTiming> read_timing(const fs::path& folder) {
+    try {
+        const fs::path file = folder / timing_name;
+        return parse_timing(read_whole(file), file.string());
+    } catch (const Error&) {
+        return {}; // nothing depends on it
+    }
+}
+
+int intact_levels(const fs::path& folder, const Hierarchy& hierarchy) {
+    int count = 0;
+    for (const HierarchyLevel& level : hierarchy.levels) {
+        const std::array<const HashedFile*, 3> files{&level.mesh, &level.metric, &level.state};
+        if (!std::all_of(files.begin(), files.end(),
+                         [&](const HashedFile* file) { return is_intact(folder, *file); })) {
+            break;
+        }
+        ++count;
+    }
+    return count;
+}
+
+template <int D>
+Mesh<D> read_level_mesh(const fs::path& folder, const Hierarchy& hierarchy, int level) {
+    const fs::path path = folder / hierarchy.levels.at(static_cast<std::size_t>(level)).mesh.name;
+    Mesh<D> mesh = take<D>(read_mesh(path), path);
+    if (level == 0) {
+        complete_boundary(mesh, hierarchy.options.coarsen.features.ridge_angle_deg);
+    }
+    return mesh;
+}
+
+template <int D>
+Level<D> read_level(const fs::path& folder, const Hierarchy& hierarchy, int level) {
+    const HierarchyLevel& entry = hierarchy.levels.at(static_cast<std::size_t>(level));
+    Level<D> result;
+    result.mesh = read_level_mesh<D>(folder, hierarchy, level);
+    const fs::path state = folder / entry.state.name;
+    parse_level_state(read_whole(state), state, result);
+    // Not from its file: directions and sizes would lose digits by way of the tensor.
+    result.natural = nodal_metric(result.mesh, hierarchy.options.coarsen.mean);
+    return result;
+}
+
+bool is_hierarchy_file(const std::string& name) {
+    // A killed run leaves files as .<name>.<process>-<count>.tmp (io/atomic_file.h).
+    static const std::regex pattern(
+        R"(\.?(hierarchy\.json|timing\.json|(level|metric|state|P)_[0-9]+\.[a-z.]+?))"
+        R"((\.[0-9]+-[0-9]+\.tmp)?)");
+    return std::regex_match(name, pattern);
+}
+
+template void HierarchyFolder::add_level(const Level<2>&, const LevelStatistics&, LevelTiming);
+template void HierarchyFolder::add_level(const Level<3>&, const LevelStatistics&, LevelTiming);
+template Mesh<2> read_level_mesh(const fs::path&, const Hierarchy&, int);
+template Mesh<3> read_level_mesh(const fs::path&, const Hierarchy&, int);
+template Level<2> read_level(const fs::path&, const Hierarchy&, int);
+template Level<3> read_level(const fs::path&, const Hierarchy&, int);
+
+} // namespace ameco
