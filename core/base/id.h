@@ -23,7 +23,6 @@ public:
     [[nodiscard]] constexpr std::size_t index() const { return static_cast<std::size_t>(value_); }
     [[nodiscard]] constexpr bool valid() const { return value_ >= 0; }
 
-    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the defaulted <=> for a pointer
     friend constexpr auto operator<=>(Id, Id) = default;
 
 private:
