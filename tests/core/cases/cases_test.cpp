@@ -6,7 +6,10 @@
 #include "core/cases/onera_m6.h"
 #include "core/mesh/check.h"
 
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <tuple>
 
 #include <QtTest>
 
@@ -32,7 +35,7 @@ Values small(const std::string& name) {
 
 std::string error_of(const std::string& name, const Values& values) {
     try {
-        make_case(name, values);
+        std::ignore = make_case(name, values);
     } catch (const UsageError& e) {
         return e.what();
     }
@@ -50,6 +53,7 @@ private slots:
     void makes_what_the_options_struct_makes();
     void lets_parameters_change_a_preset();
     void makes_the_same_bytes_again();
+    void are_all_in_the_manual();
     void says_what_is_wrong_data();
     void says_what_is_wrong();
 };
@@ -76,7 +80,7 @@ void CasesTest::makes_every_case_valid_in_every_dimension() {
         for (const CaseParameter& p : c.parameters) {
             if (p.name == "dim") {
                 Values values = small(c.name);
-                values["dim"] = "2";
+                values.emplace("dim", "2");
                 const auto flat = make_case(c.name, values);
                 QVERIFY(std::holds_alternative<Mesh<2>>(flat));
                 QVERIFY(check(std::get<Mesh<2>>(flat)).valid());
@@ -120,6 +124,22 @@ void CasesTest::lets_parameters_change_a_preset() {
 void CasesTest::makes_the_same_bytes_again() {
     for (const CaseDescription& c : cases()) {
         QVERIFY(make_case(c.name, small(c.name)) == make_case(c.name, small(c.name)));
+    }
+}
+
+void CasesTest::are_all_in_the_manual() {
+    std::ifstream file(AMECO_SOURCE_DIR "/docs/user/cases.md");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    for (const CaseDescription& c : cases()) {
+        const std::size_t begin = manual.find("\n## " + c.name + "\n");
+        QVERIFY2(begin != std::string::npos, c.name.c_str());
+        const std::string chapter = manual.substr(begin, manual.find("\n## ", begin + 1) - begin);
+        for (const CaseParameter& p : c.parameters) {
+            std::string row = "| `";
+            row += p.name + "` | " + p.default_value + " | " + p.unit + " | " + p.range + " | " +
+                   p.help + " |\n";
+            QVERIFY2(chapter.find(row) != std::string::npos, (c.name + " lacks " + row).c_str());
+        }
     }
 }
 
