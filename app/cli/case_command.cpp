@@ -3,7 +3,6 @@
 #include "app/cli/help.h"
 #include "app/cli/mesh_input.h"
 #include "app/cli/report.h"
-#include "app/cli/suggest.h"
 #include "core/cases/cases.h"
 #include "core/hierarchy/statistics_json.h"
 
@@ -24,7 +23,7 @@ public:
                 {{"case --list", "which there are"},
                  {"case onera-m6 --help", "its parameters"},
                  {"case onera-m6 -o m6.meshb", "make it"}},
-                list_text()};
+                ""};
     }
 
     void add_options(CLI::App& app) override {
@@ -119,14 +118,6 @@ private:
                         << count_text(elements) << " " << element_word(D) << ", "
                         << count_text(faces) << " boundary faces\n";
         }
-    }
-
-    static std::string list_text() {
-        std::string text = "Cases:";
-        for (const CaseDescription& description : cases()) {
-            text += "\n  " + description.name + ": " + description.summary;
-        }
-        return text;
     }
 
     static void print_list(Session& session) {

@@ -84,8 +84,8 @@ public:
                 {{"check wing.meshb", "test every invariant, with exact orientations"},
                  {"check wing.meshb --metric wing.solb", "also measure it in a metric"},
                  {"check wing.meshb -q && echo good", "use the exit code in a script"}},
-                "Exit code 3 when the mesh is not valid. Boundary faces that point inwards or are\n"
-                "missing, elements that are all turned, and unused nodes are mended first, as\n"
+                "Exit code 3 when the mesh is not valid. Boundary faces that point inwards or are "
+                "missing, elements that are all turned, and unused nodes are mended first, as "
                 "ameco coarsen does; --strict counts them as errors."};
     }
 

@@ -72,16 +72,14 @@ public:
              {"coarsen wing.meshb -o levels --freeze wing tip", "leave two patches as they are"},
              {"coarsen wing.meshb -o levels --slack 1 --surface-deviation 0.01",
               "the paper's sizes, and stay closer to the surface"}},
-            "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0\n"
-            "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and\n"
+            "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0 "
+            "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and "
             "timing.json. Ctrl-C keeps the levels that are finished.\n"
-            "\n"
-            "Columns: predicted: nodes the metric asks for; of that: nodes there are, as a\n"
-            "share of it; AR: aspect ratio of the nodes; in band: edges of length 0.71 - 1.41\n"
+            "Columns: predicted: nodes the metric asks for; of that: nodes there are, as a "
+            "share of it; AR: aspect ratio of the nodes; in band: edges of length 0.71 - 1.41 "
             "in the metric asked for (level 0: in its natural metric).\n"
-            "\n"
-            "Exit code 0: as many levels as the mesh allows; 3: it cannot be coarsened at all;\n"
-            "5: not a valid mesh; 6: stopped early, finished levels are kept; 130: stopped\n"
+            "Exit code 0: as many levels as the mesh allows; 3: it cannot be coarsened at all; "
+            "5: not a valid mesh; 6: stopped early, finished levels are kept; 130: stopped "
             "before the first coarser level."};
     }
 

@@ -28,7 +28,7 @@ struct CommandHelp {
     std::string summary; ///< one line, for the list of commands
     std::string usage;   ///< "coarsen MESH -o DIR [options]"
     std::vector<Example> examples;
-    std::string notes; ///< after the options: what comes out, exit codes; may be empty
+    std::string notes; ///< paragraphs after the options, one per line; may be empty
 };
 
 /// What a running subcommand gets from the program.

@@ -27,8 +27,8 @@ public:
             {{"convert wing.meshb wing.mesh", "from binary to text"},
              {"convert wing.sol wing.solb", "a metric, from text to binary"},
              {"convert wing.meshb wing4.meshb --format-version 4", "Medit with 64-bit numbers"}},
-            "The content stays as it is in the file: nothing is turned, added or dropped, and\n"
-            "records ameco does not know are carried along. What the new format cannot hold\n"
+            "The content stays as it is in the file: nothing is turned, added or dropped, and "
+            "records ameco does not know are carried along. What the new format cannot hold "
             "is said on stderr. The input is recognised by its content, the output by its "
             "suffix."};
     }

@@ -10,25 +10,15 @@ namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t name_width = 26;
 
-/// `text` after `name`, wrapped, with the following lines indented to the same column.
-std::string entry(const std::string& name, const std::string& text, std::size_t width) {
-    std::string out = "  " + name;
-    std::size_t column = out.size();
-    const std::size_t start = width + 4;
-    const auto to_start = [&] {
-        out += '\n' + std::string(start, ' ');
-        column = start;
-    };
-    if (column + 2 > start) {
-        to_start();
-    } else {
-        out += std::string(start - column, ' ');
-        column = start;
-    }
+/// `text` in lines that begin at column `start`; the first one is begun already.
+std::string wrapped(const std::string& text, std::size_t start) {
+    std::string out;
+    std::size_t column = start;
     std::istringstream words(text);
     for (std::string word; words >> word;) {
         if (column > start && column + 1 + word.size() > line_width) {
-            to_start();
+            out += '\n' + std::string(start, ' ');
+            column = start;
         }
         if (column > start) {
             out += ' ';
@@ -38,6 +28,37 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
         column += word.size();
     }
     return out + '\n';
+}
+
+/// `text` after `name`, with the following lines indented to the same column.
+std::string entry(const std::string& name, const std::string& text, std::size_t width) {
+    std::string out = "  " + name;
+    const std::size_t start = width + 4;
+    if (out.size() + 2 > start) {
+        out += '\n' + std::string(start, ' ');
+    } else {
+        out.resize(start, ' ');
+    }
+    return out + wrapped(text, start);
+}
+
+/// Paragraphs, one per line of `text`.
+std::string paragraphs(const std::string& text) {
+    std::string out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        out += "\n" + wrapped(line, 0);
+    }
+    return out;
+}
+
+/// The commands within a command.
+std::string subcommands_text(const CLI::App& app, const std::string& heading) {
+    std::string lines;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        lines += entry(sub->get_name(), sub->get_description(), 14);
+    }
+    return lines.empty() ? "" : "\n" + heading + ":\n" + lines;
 }
 
 std::string option_name(const CLI::Option& option) {
@@ -87,8 +108,9 @@ std::string examples_text(const std::vector<Example>& examples) {
 std::string HelpFormatter::make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const {
     std::string text = help_.summary + "\n" + examples_text(help_.examples) + "\nUsage:\n  ameco " +
                        help_.usage + "\n";
+    text += subcommands_text(*app, "NAME is one of");
     text += option_group(*app, "Arguments", "Options", true);
-    std::vector<std::string> groups = app->get_groups();
+    const std::vector<std::string> groups = app->get_groups();
     for (const std::string& group : groups) {
         if (group != common_group && !group.empty()) {
             text += option_group(*app, group, group, false);
@@ -98,7 +120,7 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string, CLI::AppF
     // outer one's.
     const CLI::App* owner = app->get_fallthrough() ? app->get_parent() : app;
     text += option_group(*owner, common_group, common_group, false);
-    return text + (help_.notes.empty() ? "" : "\n" + help_.notes + "\n");
+    return text + paragraphs(help_.notes);
 }
 
 std::string ProgramHelpFormatter::make_help(const CLI::App* app, std::string,

@@ -33,7 +33,7 @@ public:
              {"metric wing.meshb --coarsen 2 -o coarse.solb", "the metric ameco coarsen aims at"},
              {"metric wing.meshb --mean log-euclidean -o wing.solb", "another mean"}},
             "A node that no element uses gets the size of the whole mesh, so that the file has "
-            "one\ntensor per node of the mesh file."};
+            "one tensor per node of the mesh file."};
     }
 
     void add_options(CLI::App& app) override {

@@ -201,7 +201,7 @@ void print_aspect_ratio_histogram(std::ostream& out,
         for (const AspectRatioClasses& level : levels) {
             const double part =
                 k < level.counts.size() ? share(level.counts[k], sum(level.counts)) : 0;
-            const std::string text = percent_text(part);
+            const std::string text = part > 0 ? percent_text(part) : "";
             row.push_back(std::string(7 - std::min<std::size_t>(7, text.size()), ' ') + text + " " +
                           bar(largest > 0 ? part / largest : 0, 9));
         }
