@@ -97,6 +97,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
             remove_first_pass(mesh, data.lines, state, input, options.removal, report.removal,
                               part);
             watch.lap(report.seconds.first_pass);
+            report.removed_in_first_pass = report.removal[Verdict::accepted];
         } else {
             remove_again(mesh, data.lines, state, input, options.removal, report.removal, part);
             watch.lap(report.seconds.remove);

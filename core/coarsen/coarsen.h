@@ -44,6 +44,7 @@ struct CoarsenReport {
     double predicted_nodes =
         0; ///< nodes_before times the quotient of expected_nodes, target over natural
     VerdictCounts removal, swaps;
+    std::int64_t removed_in_first_pass = 0;
     std::int64_t line_nodes = 0; ///< nodes on lines across layers, before
     std::int64_t lines = 0;
     double deviation = 0;          ///< bound of the boundary's distance to the finest one [L]

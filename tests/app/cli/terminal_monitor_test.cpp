@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#ifndef Q_MOC_RUN // moc 6.4 cannot parse <chrono> of GCC 12
 #include "app/cli/terminal_monitor.h"
+#endif
 
 #include <nlohmann/json.hpp>
 

@@ -6,6 +6,8 @@
 #include "core/cases/onera_m6.h"
 #include "core/mesh/check.h"
 
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -51,6 +53,7 @@ private slots:
     void makes_what_the_options_struct_makes();
     void lets_parameters_change_a_preset();
     void makes_the_same_bytes_again();
+    void are_all_in_the_manual();
     void says_what_is_wrong_data();
     void says_what_is_wrong();
 };
@@ -121,6 +124,22 @@ void CasesTest::lets_parameters_change_a_preset() {
 void CasesTest::makes_the_same_bytes_again() {
     for (const CaseDescription& c : cases()) {
         QVERIFY(make_case(c.name, small(c.name)) == make_case(c.name, small(c.name)));
+    }
+}
+
+void CasesTest::are_all_in_the_manual() {
+    std::ifstream file(AMECO_SOURCE_DIR "/docs/user/cases.md");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    for (const CaseDescription& c : cases()) {
+        const std::size_t begin = manual.find("\n## " + c.name + "\n");
+        QVERIFY2(begin != std::string::npos, c.name.c_str());
+        const std::string chapter = manual.substr(begin, manual.find("\n## ", begin + 1) - begin);
+        for (const CaseParameter& p : c.parameters) {
+            std::string row = "| `";
+            row += p.name + "` | " + p.default_value + " | " + p.unit + " | " + p.range + " | " +
+                   p.help + " |\n";
+            QVERIFY2(chapter.find(row) != std::string::npos, (c.name + " lacks " + row).c_str());
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/cases/shell.h"
 
+#include "core/base/error.h"
 #include "core/mesh/check.h"
 #include "core/metric/aspect_ratio.h"
 #include "core/metric/nodal_metric.h"
@@ -34,6 +35,7 @@ private slots:
     void reaches_the_aspect_ratio_it_is_asked_for();
     void becomes_isotropic_far_away();
     void keeps_every_nth_layer();
+    void refuses_a_wall_too_coarse_for_its_curvature();
 };
 
 void ShellTest::is_valid_whatever_its_shape_data() {
@@ -47,7 +49,7 @@ void ShellTest::is_valid_whatever_its_shape_data() {
             QTest::addRow("sphere, %g, %d", aspect, i) << 1.0 << 1.0 << aspect << i;
             QTest::addRow("spindle, %g, %d", aspect, i) << 0.2 << 0.2 << aspect << i;
             QTest::addRow("three axes, %g, %d", aspect, i) << 0.5 << 0.2 << aspect << i;
-            QTest::addRow("flat, %g, %d", aspect, i) << 0.8 << 0.1 << aspect << i;
+            QTest::addRow("flat, %g, %d", aspect, i) << 0.8 << 0.2 << aspect << i;
         }
     }
 }
@@ -121,6 +123,13 @@ void ShellTest::keeps_every_nth_layer() {
     QVERIFY(coarse.points.raw().back() == fine.points.raw().back());
     const std::size_t layers = fine.points.size() / columns - 1;
     QCOMPARE(coarse.points.size(), ((layers + 1) / 2 + 1) * columns);
+}
+
+void ShellTest::refuses_a_wall_too_coarse_for_its_curvature() {
+    ShellOptions o = small_shell();
+    o.b = 0.8;
+    o.c = 0.02;
+    QVERIFY_EXCEPTION_THROWN(make_shell(o), UsageError);
 }
 
 QTEST_APPLESS_MAIN(ShellTest)
