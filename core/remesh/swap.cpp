@@ -81,7 +81,7 @@ private:
             note(Verdict::cavity_too_large);
             return;
         }
-        if (!one_label() || touches_required_face()) {
+        if (!one_label() || touches_frozen_face()) {
             note(Verdict::region_border);
             return;
         }
@@ -230,9 +230,17 @@ private:
         return true;
     }
 
-    bool touches_required_face() const {
+    /// A boundary face all of whose nodes are frozen belongs to a frozen patch or is required, or
+    /// might: it stays.
+    bool touches_frozen_face() const {
         return std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
-            return mesh_.is_ghost(e) && mesh_.is_required(ghost_face<D>(mesh_.nodes(e)));
+            if (!mesh_.is_ghost(e)) {
+                return false;
+            }
+            const Facet<D> face = ghost_face<D>(mesh_.nodes(e));
+            return std::all_of(face.begin(), face.end(), [&](NodeId v) {
+                return mesh_.node_class(v) == NodeClass::frozen;
+            });
         });
     }
 
