@@ -204,10 +204,10 @@ void SwapTest::turns_the_diagonal_of_a_flat_pair() {
 void SwapTest::replaces_three_elements_at_an_edge_by_two() {
     // A long edge 0 1 through a triangle 2 3 4.
     const Mesh<3> mesh = shapes::from_literals<3>(
-        {{0, 0, -0.4}, {0, 0, 0.4}, {1, 0, 0}, {-0.5, 0.866, 0}, {-0.5, -0.866, 0}},
+        {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {-0.5, 0.866, 0}, {-0.5, -0.866, 0}},
         {nodes(0, 2, 3, 1), nodes(0, 3, 4, 1), nodes(0, 4, 2, 1)});
     QVERIFY(check(mesh).valid());
-    Workbench<3> bench(mesh, isotropic<3>(5, 1.2));
+    Workbench<3> bench(mesh, isotropic<3>(5, 1.58));
     QCOMPARE(swap_and_verify(bench, no_lines(5)), 1);
     QCOMPARE(bench.edit.compact().mesh.elements.size(), std::size_t{2});
 }
@@ -322,18 +322,18 @@ void SwapTest::leaves_listed_edges_inside_the_domain() {
     // The long edge 0 1 through a triangle 2 3 4, which a swap would remove, inside a larger mesh:
     // the same three elements with one more tet on each of their outer faces.
     Mesh<3> mesh =
-        shapes::from_literals<3>({{0, 0, -0.4},
-                                  {0, 0, 0.4},
+        shapes::from_literals<3>({{0, 0, -1},
+                                  {0, 0, 1},
                                   {1, 0, 0},
                                   {-0.5, 0.866, 0},
                                   {-0.5, -0.866, 0},
-                                  {0, 0, -1.6},
-                                  {0, 0, 1.6}},
+                                  {0, 0, -2.5},
+                                  {0, 0, 2.5}},
                                  {nodes(0, 2, 3, 1), nodes(0, 3, 4, 1), nodes(0, 4, 2, 1),
                                   nodes(2, 3, 1, 6), nodes(3, 4, 1, 6), nodes(4, 2, 1, 6),
                                   nodes(3, 2, 0, 5), nodes(4, 3, 0, 5), nodes(2, 4, 0, 5)});
     QVERIFY2(check(mesh).valid(), check(mesh).summary().c_str());
-    Workbench<3> bare(mesh, isotropic<3>(7, 1.2));
+    Workbench<3> bare(mesh, isotropic<3>(7, 1.58));
     QVERIFY(swap_and_verify(bare, no_lines(7)) > 0);
     const auto linked = [](const EditMesh<3>& edit) {
         const auto around = neighbours(edit, NodeId(0));
@@ -342,7 +342,7 @@ void SwapTest::leaves_listed_edges_inside_the_domain() {
     QVERIFY(!linked(bare.edit));
     mesh.features.edges = {{NodeId(0), NodeId(1)}};
     mesh.features.edge_labels = {3};
-    Workbench<3> listed(mesh, isotropic<3>(7, 1.2));
+    Workbench<3> listed(mesh, isotropic<3>(7, 1.58));
     QCOMPARE_GE(swap_and_verify(listed, no_lines(7)), 0);
     QVERIFY(linked(listed.edit));
     QCOMPARE(listed.edit.compact().mesh.features.edges.size(), std::size_t{1});
