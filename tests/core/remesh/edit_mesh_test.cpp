@@ -195,8 +195,7 @@ void keep_balls_after_replacing() {
         }
         gather_ball(bench.edit, v, ball);
         for (const NodeId w : neighbours(bench.edit, v)) {
-            if (!removed.valid() &&
-                make_star(bench.edit, ball, w, star) == Verdict::accepted) {
+            if (!removed.valid() && make_star(bench.edit, ball, w, star) == Verdict::accepted) {
                 bench.edit.replace(ball.elements, star.elements, star.sources);
                 removed = v;
             }
