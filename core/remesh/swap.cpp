@@ -71,7 +71,8 @@ private:
     }
 
     void try_edge(NodeId a, NodeId b) {
-        const bool ridge = mesh_.on_boundary(a) && mesh_.on_boundary(b) && mesh_.is_ridge(a, b);
+        // Listed lines may run inside the domain too; all their nodes are ridge nodes or frozen.
+        const bool ridge = may_be_on_ridge(a) && may_be_on_ridge(b) && mesh_.is_ridge(a, b);
         if (ridge || protected_inside<2>({a, b})) {
             note(Verdict::geometry_class);
             return;
@@ -242,6 +243,11 @@ private:
                 return mesh_.node_class(v) == NodeClass::frozen;
             });
         });
+    }
+
+    bool may_be_on_ridge(NodeId v) const {
+        const NodeClass c = mesh_.node_class(v);
+        return c == NodeClass::ridge || c == NodeClass::frozen;
     }
 
     template <std::size_t N>
