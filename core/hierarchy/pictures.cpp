@@ -86,9 +86,9 @@ std::set<int> planar_patches(const Mesh<3>& mesh) {
 /// Long edge and height of a triangle.
 template <int D>
 struct Shape {
-    Vec<D> along;  ///< longest edge
-    Vec<D> across; ///< from it to the opposite node, at right angles
-    NodeId foot;   ///< a node of the longest edge
+    Vec<D> along = Vec<D>::Zero();  ///< longest edge
+    Vec<D> across = Vec<D>::Zero(); ///< from it to the opposite node, at right angles
+    NodeId foot;                    ///< a node of the longest edge
     [[nodiscard]] double aspect() const { return along.norm() / across.norm(); }
 };
 

@@ -25,10 +25,11 @@ namespace ameco {
 template <int D>
 struct SectionView {
     int patch = 0; ///< D = 3: the planar patch that is drawn; D = 2: unused, the whole mesh is
-    Vec<D> origin; ///< a node at the foot of the layers [L]
-    Vec<D> along, across; ///< unit vectors of the plane: with the layers, away from the wall
-    double width = 1;     ///< of the window along the layers [L]
-    double height = 1;    ///< of the window across the layers [L]
+    Vec<D> origin = Vec<D>::Zero(); ///< a node at the foot of the layers [L]
+    Vec<D> along = Vec<D>::Zero();  ///< unit vector with the layers
+    Vec<D> across = Vec<D>::Zero(); ///< unit vector away from the wall
+    double width = 1;               ///< of the window along the layers [L]
+    double height = 1;              ///< of the window across the layers [L]
 };
 
 /// The most stretched triangle of the planar patches (D = 3) or of the mesh (D = 2) decides where
