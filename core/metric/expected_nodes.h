@@ -10,10 +10,10 @@ namespace ameco {
 
 /// Number of nodes of a unit mesh of the domain in the metric [-].
 ///
-/// The complexity alone counts cells: a layer of 32 cells between two walls has 33 nodes across, and
-/// after a few levels that one node more decides the ratio. A node inside the domain has a whole
-/// cell, one on a face half of one, one on an edge of dihedral angle t the share t / 2 pi; counted
-/// so for a lattice, in 3-D
+/// The complexity alone counts cells: a layer of 32 cells between two walls has 33 nodes across,
+/// and after a few levels that one node more decides the ratio. A node inside the domain has a
+/// whole cell, one on a face half of one, one on an edge of dihedral angle t the share t / 2 pi;
+/// counted so for a lattice, in 3-D
 ///
 ///     n = sqrt(2) int sqrt(det M) dV + (1/2) (2/sqrt(3)) int sqrt(det M_t) dS
 ///         + sum over boundary edges (1/2 - t / 2 pi) |e|_M

@@ -239,9 +239,8 @@ private:
                 return false;
             }
             const Facet<D> face = ghost_face<D>(mesh_.nodes(e));
-            return std::all_of(face.begin(), face.end(), [&](NodeId v) {
-                return mesh_.node_class(v) == NodeClass::frozen;
-            });
+            return std::all_of(face.begin(), face.end(),
+                               [&](NodeId v) { return mesh_.node_class(v) == NodeClass::frozen; });
         });
     }
 
