@@ -9,6 +9,7 @@
 #include "core/hierarchy/content_hash.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/hierarchy_json.h"
+#include "core/hierarchy/pictures.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,9 @@ public:
             ->capture_default_str();
         app.add_flag("--copy-input", copy_input_,
                      "put a copy of MESH into the folder, so that the folder is complete");
+        app.add_flag(
+            "--pictures", pictures_,
+            "add histogram.svg (aspect ratios) and layers.svg (the layers, level by level)");
         app.add_flag("--resume", resume_,
                      "keep the levels in the folder that were made from the same mesh with the "
                      "same settings, and go on from there");
@@ -234,6 +238,9 @@ private:
         };
         const HierarchyEnd end = make_levels(std::move(mesh), folder, sink, session);
         folder.finish(end.status);
+        if (pictures_) {
+            write_pictures<D>(folder_, folder.hierarchy());
+        }
         session.monitor.clear_line();
         if (session.json) {
             print_json(session.out, folder);
@@ -331,6 +338,7 @@ private:
     std::string format_ = "meshb";
     std::vector<std::string> freeze_;
     bool copy_input_ = false;
+    bool pictures_ = false;
     bool resume_ = false;
     bool force_ = false;
 };

@@ -7,7 +7,6 @@
 #include "core/cases/onera_d.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ameco {

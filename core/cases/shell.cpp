@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/cases/shell.h"
 
+#include "core/base/error.h"
 #include "core/cases/icosphere.h"
 #include "core/cases/shuffle.h"
 
@@ -61,6 +62,9 @@ std::vector<double> layers(double edge, const ShellOptions& o) {
 } // namespace
 
 Mesh<3> make_shell(const ShellOptions& o) {
+    if (o.a < o.b || o.b < o.c) {
+        throw UsageError("shell: the half axes must descend, a >= b >= c");
+    }
     const auto seed = static_cast<std::uint64_t>(o.seed);
     SphereSurface sphere = icosphere(o.frequency, o.displace, o.flips, seed);
     const Vec<3> draw(1, std::pow(o.b / o.a, o.cluster), std::pow(o.c / o.a, o.cluster));

@@ -29,7 +29,8 @@ struct ShellOptions {
     int shuffle = 0; ///< seed of a random numbering; 0 keeps layer by layer
 };
 
-/// \throws UsageError if the wall has too few nodes for its curvature
+/// \throws UsageError if the half axes do not descend, or the wall has too few nodes for its
+///         curvature
 [[nodiscard]] Mesh<3> make_shell(const ShellOptions& options = {});
 
 } // namespace ameco

@@ -62,6 +62,20 @@ std::vector<NodeId> walk(const IdVector<NodeId, std::array<NodeId, 2>>& links, N
     }
 }
 
+/// Whether a line is to be numbered from `a` and not from `b`, its other end. Where both are on
+/// walls, the axis along which they lie apart decides: neighbouring lines then start on the same
+/// side, however the nodes are numbered, and lose the nodes of the same layers.
+template <int D>
+bool starts_at(const Mesh<D>& mesh, const IdVector<NodeId, double>& key, NodeId a, NodeId b) {
+    if (key[a] != key[b]) {
+        return key[a] < key[b];
+    }
+    const Vec<D> across = mesh.points[b] - mesh.points[a];
+    int axis = 0;
+    across.cwiseAbs().maxCoeff(&axis);
+    return across[axis] > 0;
+}
+
 } // namespace
 
 void Lines::remove(NodeId v) {
@@ -104,7 +118,7 @@ Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
             continue; // closed chains have no end, and stay off the lines
         }
         std::vector<NodeId> chain = walk(links, v);
-        if (std::pair(key[chain.back()], chain.back()) < std::pair(key[v], v)) {
+        if (starts_at(mesh, key, chain.back(), v)) {
             std::reverse(chain.begin(), chain.end());
         }
         for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -25,7 +25,7 @@ struct Lines {
     [[nodiscard]] bool on_line(NodeId v) const { return position[v] >= 0; }
     /// Whether a and b follow each other on a line.
     [[nodiscard]] bool linked(NodeId a, NodeId b) const {
-        return next[a] == b || (next[b] == a && b.valid());
+        return a.valid() && b.valid() && (next[a] == b || next[b] == a);
     }
     /// Whether a gap beside `v` lost a node already.
     [[nodiscard]] bool beside_used_gap(NodeId v) const {
@@ -43,7 +43,8 @@ struct LineOptions {
 /// Finds the lines of a mesh. A node is inside a line if its two strongest couplings point in
 /// opposite directions and exceed the third `dominance` times, an end if only its strongest exceeds
 /// the second; links must be mutual.
-/// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller
+/// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller;
+///             lines between two walls from the lower end along the axis they follow most
 template <int D>
 [[nodiscard]] Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
                                const IdVector<NodeId, double>& key,

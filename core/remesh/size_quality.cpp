@@ -66,10 +66,13 @@ double size_quality(const EditMesh<D>& mesh, const SizeField<D>& sizes, const Si
             wanted += static_cast<double>(sizes[v].r[static_cast<std::size_t>(k)]);
         }
         wanted /= D + 1;
+        if (!(e[k] > 0)) {
+            return 0; // flat, or all nodes on one line
+        }
         const double ratio_squared = e[k] / (k == 0 ? 1.0 : e[k - 1]) / (wanted * wanted);
         product *= ratio_squared < 1 ? ratio_squared : 1 / ratio_squared;
     }
-    return std::sqrt(product); // 0 for a flat element; NaN cannot come from finite, distinct nodes
+    return std::sqrt(product);
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

@@ -71,7 +71,8 @@ private:
     }
 
     void try_edge(NodeId a, NodeId b) {
-        const bool ridge = mesh_.on_boundary(a) && mesh_.on_boundary(b) && mesh_.is_ridge(a, b);
+        // Listed lines may run inside the domain too; all their nodes are ridge nodes or frozen.
+        const bool ridge = may_be_on_ridge(a) && may_be_on_ridge(b) && mesh_.is_ridge(a, b);
         if (ridge || protected_inside<2>({a, b})) {
             note(Verdict::geometry_class);
             return;
@@ -81,7 +82,7 @@ private:
             note(Verdict::cavity_too_large);
             return;
         }
-        if (!one_label() || touches_required_face()) {
+        if (!one_label() || touches_frozen_face()) {
             note(Verdict::region_border);
             return;
         }
@@ -230,10 +231,23 @@ private:
         return true;
     }
 
-    bool touches_required_face() const {
+    /// A boundary face all of whose nodes are frozen belongs to a frozen patch or is required, or
+    /// might: it stays.
+    bool touches_frozen_face() const {
         return std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
-            return mesh_.is_ghost(e) && mesh_.is_required(ghost_face<D>(mesh_.nodes(e)));
+            if (!mesh_.is_ghost(e)) {
+                return false;
+            }
+            const Facet<D> face = ghost_face<D>(mesh_.nodes(e));
+            return std::all_of(face.begin(), face.end(), [&](NodeId v) {
+                return mesh_.node_class(v) == NodeClass::frozen;
+            });
         });
+    }
+
+    bool may_be_on_ridge(NodeId v) const {
+        const NodeClass c = mesh_.node_class(v);
+        return c == NodeClass::ridge || c == NodeClass::frozen;
     }
 
     template <std::size_t N>

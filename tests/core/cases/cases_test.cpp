@@ -117,8 +117,8 @@ void CasesTest::lets_parameters_change_a_preset() {
         return std::get<Mesh<3>>(make_case("onera-m6", values)).points.size();
     };
     QCOMPARE(nodes({{"preset", "m6-8k"}}), 397u * 21);
-    QCOMPARE(nodes({{"preset", "m6-8k"}, {"layers", "12"}}), 397u * 13);
-    QCOMPARE(nodes({{"layers", "20"}}), 1499u * 21); // of m6-67k, the default
+    QCOMPARE(nodes({{"preset", "m6-8k"}, {"layers", "18"}}), 397u * 19);
+    QCOMPARE(nodes({{"layers", "40"}}), 1499u * 41); // of m6-67k, the default
 }
 
 void CasesTest::makes_the_same_bytes_again() {

@@ -36,6 +36,7 @@ private slots:
     void becomes_isotropic_far_away();
     void keeps_every_nth_layer();
     void refuses_a_wall_too_coarse_for_its_curvature();
+    void refuses_half_axes_out_of_order();
 };
 
 void ShellTest::is_valid_whatever_its_shape_data() {
@@ -129,6 +130,12 @@ void ShellTest::refuses_a_wall_too_coarse_for_its_curvature() {
     ShellOptions o = small_shell();
     o.b = 0.8;
     o.c = 0.02;
+    QVERIFY_EXCEPTION_THROWN(make_shell(o), UsageError);
+}
+
+void ShellTest::refuses_half_axes_out_of_order() {
+    ShellOptions o = small_shell();
+    o.c = 2;
     QVERIFY_EXCEPTION_THROWN(make_shell(o), UsageError);
 }
 

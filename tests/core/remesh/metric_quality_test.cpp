@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/remesh/metric_quality.h"
+
+#include "core/metric/element_metric.h"
+#include "tests/core/metric/reference.h"
+#include "tests/core/remesh/remesh_support.h"
+
+#include <QTest>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+using namespace ameco;
+using namespace ameco::remesh_test;
+
+namespace {
+
+template <int D>
+using Corners = std::array<Vec<D>, D + 1>;
+
+template <int D>
+double quality_in(const Corners<D>& points, const MetricField<D>& target) {
+    Mesh<D> mesh;
+    Simplex<D> s;
+    for (int i = 0; i <= D; ++i) {
+        mesh.points.push_back(points[i]);
+        s[i] = NodeId(i);
+    }
+    mesh.elements.push_back(s);
+    mesh.region.push_back(1);
+    shapes::add_boundary(mesh);
+    const EditMesh<D> edit(mesh, classify_geometry(mesh));
+    return metric_quality(edit, make_root_field(target), s);
+}
+
+template <int D>
+Corners<D> mapped_regular(const Mat<D>& A) {
+    const Mat<D> W = reference::regular_edges<D>();
+    Corners<D> x;
+    x[0] = Vec<D>::Zero();
+    for (int i = 0; i < D; ++i) {
+        x[i + 1] = A * W.col(i);
+    }
+    return x;
+}
+
+/// (16), (17), (19) with the metric of the element from Eigen's eigenvalues of the mean of the
+/// M^-1/2: lengths and volume are measured after mapping the element to the space where M is I.
+template <int D>
+double direct_quality(const Corners<D>& x, const MetricField<D>& target) {
+    Mat<D> mean = Mat<D>::Zero();
+    for (const Metric<D>& m : target) {
+        mean += m.directions * m.sizes.asDiagonal() * m.directions.transpose() / (D + 1);
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat<D>> eigen(mean);
+    const Mat<D> F =
+        eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+    Mat<D> E;
+    double squares = 0;
+    int edges = 0;
+    for (int i = 0; i <= D; ++i) {
+        for (int j = 0; j < i; ++j) {
+            squares += (F * (x[i] - x[j])).squaredNorm();
+            ++edges;
+        }
+        if (i > 0) {
+            E.col(i - 1) = F * (x[i] - x[0]);
+        }
+    }
+    const double h = std::sqrt(squares / edges);
+    const double volume =
+        std::abs(E.determinant()) / std::abs(reference::regular_edges<D>().determinant());
+    return volume / std::pow(h, D) * std::min(std::pow(h, D), std::pow(h, -D));
+}
+
+template <int D>
+void rate_regular_simplices() {
+    const auto target = isotropic<D>(D + 1, 0.3);
+    const Mat<D> I = 0.3 * Mat<D>::Identity();
+    QCOMPARE_LE(std::abs(quality_in<D>(mapped_regular<D>(I), target) - 1), 1e-14);
+    for (const double factor : {1.2, 2.0, 4.0}) {
+        const double expected = std::pow(factor, -D);
+        QCOMPARE_LE(std::abs(quality_in<D>(mapped_regular<D>(I * factor), target) - expected),
+                    1e-14);
+        QCOMPARE_LE(std::abs(quality_in<D>(mapped_regular<D>(I / factor), target) - expected),
+                    1e-14);
+    }
+    double last = 1;
+    for (const double stretch : {1.5, 3.0, 30.0}) { // at constant volume
+        Vec<D> scale = Vec<D>::Ones();
+        scale[0] = stretch;
+        scale[1] = 1 / stretch;
+        const double q = quality_in<D>(mapped_regular<D>(I * scale.asDiagonal()), target);
+        QCOMPARE_LT(q, 0.8 * last);
+        last = q;
+    }
+    const Mat<D> mirror = [] {
+        Mat<D> m = Mat<D>::Identity();
+        m(0, 0) = -1;
+        return m;
+    }();
+    QCOMPARE(quality_in<D>(mapped_regular<D>(I * mirror), target), 0.0); // inverted
+}
+
+template <int D>
+void rate_in_own_metric() {
+    std::mt19937 random(3);
+    for (int n = 0; n < 200; ++n) {
+        // Columns of sizes 1 ... 1e6 apart, turned at random.
+        const Mat<D> Q = reference::random_rotation<D>(random);
+        Metric<D> metric;
+        metric.directions = Q;
+        metric.sizes[0] = std::pow(10.0, -(n % 7));
+        const Mat<D> J = Q * metric.sizes.asDiagonal();
+        const MetricField<D> target(D + 1, metric);
+        QCOMPARE_LE(std::abs(quality_in<D>(mapped_regular<D>(J), target) - 1), 1e-3);
+        QCOMPARE_LE(quality_in<D>(mapped_regular<D>(2 * J), target), std::pow(0.5, D) + 1e-3);
+    }
+}
+
+template <int D>
+void compare_with_eigenvalues() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(0.5, 2);
+    for (int n = 0; n < 300; ++n) {
+        Corners<D> x = reference::stretched_simplex<D>(random, 1 + 3 * (n % 9));
+        const Metric<D> own = element_metric<D>(x);
+        MetricField<D> target(D + 1);
+        for (Metric<D>& m : target) {
+            m = own;
+            m.sizes *= uniform(random);
+            m.directions = reference::random_rotation<D>(random) * m.directions;
+        }
+        const double q = quality_in<D>(x, target);
+        QCOMPARE_GT(q, 0.0);
+        QCOMPARE_LE(q, 1.0);
+        QCOMPARE_LE(std::abs(q - direct_quality<D>(x, target)), 1e-10 * q);
+        // Turned together with its metric, an element keeps its quality.
+        const Mat<D> Q = reference::random_rotation<D>(random);
+        for (Vec<D>& p : x) {
+            p = Q * p;
+        }
+        for (Metric<D>& m : target) {
+            m.directions = Q * m.directions;
+        }
+        QCOMPARE_LE(std::abs(quality_in<D>(x, target) - q), 1e-10 * q);
+    }
+}
+
+} // namespace
+
+class MetricQualityTest : public QObject {
+    Q_OBJECT
+private slots:
+    void is_one_for_the_asked_size_and_falls_with_size_and_shape();
+    void is_one_for_stretched_elements_in_their_own_metric();
+    void agrees_with_eigenvalues_and_does_not_see_rotations();
+};
+
+void MetricQualityTest::is_one_for_the_asked_size_and_falls_with_size_and_shape() {
+    rate_regular_simplices<2>();
+    rate_regular_simplices<3>();
+}
+
+void MetricQualityTest::is_one_for_stretched_elements_in_their_own_metric() {
+    rate_in_own_metric<2>();
+    rate_in_own_metric<3>();
+}
+
+void MetricQualityTest::agrees_with_eigenvalues_and_does_not_see_rotations() {
+    compare_with_eigenvalues<2>();
+    compare_with_eigenvalues<3>();
+}
+
+QTEST_APPLESS_MAIN(MetricQualityTest)
+#include "metric_quality_test.moc"

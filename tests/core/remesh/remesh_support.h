@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Meshes under edit, and what must not change while they are; for the tests of the operators.
+#pragma once
+
+#include "core/geometry/volume.h"
+#include "core/mesh/adjacency.h"
+#include "core/mesh/check.h"
+#include "core/metric/nodal_metric.h"
+#include "core/remesh/cavity.h"
+#include "core/remesh/metric_quality.h"
+#include "tests/support/shapes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace ameco::remesh_test {
+
+/// The same metric at all nodes.
+template <int D>
+[[nodiscard]] MetricField<D> uniform_metric(std::size_t nodes, const Metric<D>& metric) {
+    return MetricField<D>(nodes, metric);
+}
+
+/// Cubes of side `h`, at all nodes.
+template <int D>
+[[nodiscard]] MetricField<D> isotropic(std::size_t nodes, double h) {
+    return MetricField<D>(nodes, {Vec<D>::Constant(h), Mat<D>::Identity()});
+}
+
+/// A mesh under edit with all that the operators ask for.
+template <int D>
+struct Workbench {
+    Mesh<D> mesh;
+    GeometryClasses<D> classes;
+    MetricField<D> metric;
+    SizeField<D> sizes;
+    RootField<D> root;
+    IdVector<NodeId, float> short_size;
+    EditMesh<D> edit;
+
+    Workbench(const Mesh<D>& m, const MetricField<D>& field, const FeatureOptions& features = {})
+        : mesh(m), classes(classify_geometry(m, features)), metric(field),
+          sizes(make_size_field(field)), root(make_root_field(field)), edit(m, classes) {
+        for (const Metric<D>& at : field) {
+            short_size.push_back(static_cast<float>(at.sizes[0]));
+        }
+        for (const ElementId e : mesh.elements.ids()) {
+            const double q = size_quality(edit, sizes, edit.nodes(e));
+            edit.set_measure(e, static_cast<float>(q));
+        }
+    }
+    /// With the natural metric of the mesh.
+    explicit Workbench(const Mesh<D>& m) : Workbench(m, nodal_metric(m)) {}
+};
+
+/// Nodes that share an element with `v`, the ghost not among them, ascending.
+template <int D>
+[[nodiscard]] std::vector<NodeId> neighbours(const EditMesh<D>& mesh, NodeId v) {
+    std::set<NodeId> found;
+    for (const ElementId e : mesh.ball(v)) {
+        found.insert(mesh.nodes(e).begin(), mesh.nodes(e).end());
+    }
+    found.erase(v);
+    found.erase(mesh.ghost());
+    return {found.begin(), found.end()};
+}
+
+/// Signed volume of an element under edit.
+template <int D>
+[[nodiscard]] double volume_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
+    std::array<Vec<D>, D + 1> x;
+    for (int i = 0; i <= D; ++i) {
+        x[i] = mesh.point(s[i]);
+    }
+    return volume(x).value;
+}
+
+/// Area of a face times its unit normal.
+[[nodiscard]] inline Vec<2> area_vector(const Mesh<2>& mesh, const Facet<2>& f) {
+    const Vec<2> t = mesh.points[f[1]] - mesh.points[f[0]];
+    return {t[1], -t[0]};
+}
+[[nodiscard]] inline Vec<3> area_vector(const Mesh<3>& mesh, const Facet<3>& f) {
+    const Vec<3> a = mesh.points[f[1]] - mesh.points[f[0]];
+    return a.cross(mesh.points[f[2]] - mesh.points[f[0]]) / 2;
+}
+
+/// What operators on a mesh with plane sides must leave as it is. Each number is a sum over a
+/// patch or region.
+struct Extent {
+    std::map<int, double> patch_area;
+    std::map<int, double> region_volume;
+};
+
+template <int D>
+[[nodiscard]] Extent extent(const Mesh<D>& mesh) {
+    Extent out;
+    for (const FaceId f : mesh.faces.ids()) {
+        out.patch_area[mesh.patch[f]] += area_vector(mesh, mesh.faces[f]).norm();
+    }
+    for (const ElementId e : mesh.elements.ids()) {
+        out.region_volume[mesh.region[e]] += volume(corners_of(mesh, mesh.elements[e])).value;
+    }
+    return out;
+}
+
+/// Largest relative difference of two sets of sums; infinite where a patch or region is missing.
+[[nodiscard]] inline double difference(const std::map<int, double>& a,
+                                       const std::map<int, double>& b) {
+    double largest = a.size() == b.size() ? 0 : INFINITY;
+    for (const auto& [id, value] : a) {
+        const auto other = b.find(id);
+        largest = std::max(largest,
+                           other == b.end() ? INFINITY : std::abs(other->second - value) / value);
+    }
+    return largest;
+}
+
+[[nodiscard]] inline double difference(const Extent& a, const Extent& b) {
+    return std::max(difference(a.patch_area, b.patch_area),
+                    difference(a.region_volume, b.region_volume));
+}
+
+/// A point that can be put into a set.
+template <int D>
+[[nodiscard]] std::array<double, D> key_of(const Vec<D>& x) {
+    std::array<double, D> key;
+    std::copy(x.data(), x.data() + D, key.begin());
+    return key;
+}
+
+/// The corners of an entity, in an order that does not depend on numbering.
+template <int D, std::size_t N>
+[[nodiscard]] std::vector<std::array<double, D>> place_of(const Mesh<D>& mesh,
+                                                          const std::array<NodeId, N>& nodes) {
+    std::vector<std::array<double, D>> place;
+    for (const NodeId v : nodes) {
+        place.push_back(key_of<D>(mesh.points[v]));
+    }
+    std::sort(place.begin(), place.end());
+    return place;
+}
+
+/// Moves inner nodes at random, by up to `amount`, as long as their elements stay positive.
+template <int D>
+void worsen(Mesh<D>& mesh, double amount, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-amount, amount);
+    const NodeElements ball = node_elements(mesh);
+    const GeometryClasses<D> classes = classify_geometry(mesh);
+    for (const NodeId v : mesh.points.ids()) {
+        const Vec<D> before = mesh.points[v];
+        for (int i = 0; i < D; ++i) {
+            mesh.points[v][i] += uniform(random);
+        }
+        const auto at = std::as_const(ball)[v];
+        const bool valid = classes.node[v] == NodeClass::interior &&
+                           std::all_of(at.begin(), at.end(), [&](ElementId e) {
+                               return orientation(mesh, mesh.elements[e]) > 0;
+                           });
+        if (!valid) {
+            mesh.points[v] = before;
+        }
+    }
+}
+
+/// Puts the elements whose centre has x < `border` into region 2, and lists the faces between the
+/// regions as patch 20.
+template <int D>
+void split_regions(Mesh<D>& mesh, double border) {
+    std::map<Facet<D>, std::set<int>> sides;
+    std::map<Facet<D>, Facet<D>> facets;
+    for (const ElementId e : mesh.elements.ids()) {
+        double centre = 0;
+        for (const NodeId v : mesh.elements[e]) {
+            centre += mesh.points[v][0] / (D + 1);
+        }
+        mesh.region[e] = centre < border ? 2 : 1;
+        for (int i = 0; i <= D; ++i) {
+            const Facet<D> f = facet_of<D>(mesh.elements[e], i);
+            sides[sorted(f)].insert(mesh.region[e]);
+            facets[sorted(f)] = f;
+        }
+    }
+    for (const auto& [f, regions] : sides) {
+        if (regions.size() == 2) {
+            mesh.faces.push_back(facets[f]);
+            mesh.patch.push_back(20);
+        }
+    }
+}
+
+} // namespace ameco::remesh_test
