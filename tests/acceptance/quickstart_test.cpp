@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/acceptance/run_ameco.h"
+
+#include <QFileInfo>
+#include <QRegularExpression>
+
+using namespace ameco::test;
+
+/// Runs docs/user/quickstart.md: the commands after "$ " in its console blocks, in order. What
+/// they print must be what stands below them, but for the numbers, which change with the program
+/// and the machine. AMECO_UPDATE_DOCS=1 writes the page anew.
+class QuickstartTest : public QObject {
+    Q_OBJECT
+private slots:
+    void prints_what_the_program_prints();
+};
+
+namespace {
+
+/// The words of a text, without numbers, bars and layout.
+QString words_of(QString text) {
+    text.replace(QRegularExpression("#+"), " ");
+    text.replace(QRegularExpression("[0-9][0-9.,e+-]*"), "0");
+    return text.simplified();
+}
+
+Run run_line(const Workspace& here, const QString& line) {
+    const QString folder = QFileInfo(AMECO_PROGRAM).absolutePath();
+    return here.shell("PATH=\"" + folder + ":$PATH\"; LC_ALL=C; " + line);
+}
+
+} // namespace
+
+void QuickstartTest::prints_what_the_program_prints() {
+    const QString path = QString(AMECO_SOURCE_DIR) + "/docs/user/quickstart.md";
+    const QStringList lines = QString::fromUtf8(content_of(path)).split('\n');
+    const Workspace here;
+    QString page;
+    bool in_block = false;
+    for (int i = 0; i < lines.size(); ++i) {
+        const QString& line = lines.at(i);
+        if (line.startsWith("```")) {
+            in_block = line == "```console";
+        }
+        if (!in_block || !line.startsWith("$ ")) {
+            page += line + (i + 1 < lines.size() ? "\n" : "");
+            continue;
+        }
+        const Run run = run_line(here, line.mid(2));
+        QVERIFY2(run.code == 0, run.text());
+        page += line + "\n" + run.out;
+        QString expected;
+        while (!lines.at(i + 1).startsWith("$ ") && !lines.at(i + 1).startsWith("```")) {
+            expected += lines.at(++i) + "\n";
+        }
+        if (!qEnvironmentVariableIsSet("AMECO_UPDATE_DOCS")) {
+            QCOMPARE(words_of(run.out), words_of(expected));
+        }
+    }
+    if (qEnvironmentVariableIsSet("AMECO_UPDATE_DOCS")) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(page.toUtf8());
+    }
+}
+
+QTEST_GUILESS_MAIN(QuickstartTest)
+#include "quickstart_test.moc"
