@@ -83,6 +83,8 @@ void Lines::remove(NodeId v) {
     if (before.valid()) {
         next[before] = after;
         gap_used[before] = 1;
+    } else if (after.valid()) {
+        gap_used[after] = 1; // the end is gone: its neighbour is the end now, and stays
     }
     if (after.valid()) {
         previous[after] = before;

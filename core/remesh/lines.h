@@ -31,7 +31,8 @@ struct Lines {
     [[nodiscard]] bool beside_used_gap(NodeId v) const {
         return gap_used[v] != 0 || (previous[v].valid() && gap_used[previous[v]] != 0);
     }
-    /// Takes `v` off its line: the two gaps beside it become one, marked as used.
+    /// Takes `v` off its line: the two gaps beside it become one, marked as used. Where `v` was an
+    /// end, the new end is marked.
     void remove(NodeId v);
 };
 

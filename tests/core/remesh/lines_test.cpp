@@ -74,6 +74,7 @@ private slots:
     void does_not_depend_on_the_numbering();
     void removal_joins_two_gaps_and_marks_the_new_one();
     void removal_of_an_end_shortens_the_line();
+    void the_node_beside_a_removed_end_stays();
     void only_neighbours_on_a_line_are_linked();
 };
 
@@ -173,6 +174,17 @@ void LinesTest::removal_of_an_end_shortens_the_line() {
     lines.remove(NodeId(0));
     QVERIFY(!lines.previous[NodeId(1)].valid());
     QVERIFY(lines.on_line(NodeId(1)));
+}
+
+void LinesTest::the_node_beside_a_removed_end_stays() {
+    Lines wall = single_line(5);
+    wall.remove(NodeId(0));
+    QVERIFY(wall.beside_used_gap(NodeId(1)));
+    QVERIFY(!wall.beside_used_gap(NodeId(3)));
+    Lines top = single_line(5);
+    top.remove(NodeId(4));
+    QVERIFY(top.beside_used_gap(NodeId(3)));
+    QVERIFY(!top.beside_used_gap(NodeId(1)));
 }
 
 void LinesTest::only_neighbours_on_a_line_are_linked() {
