@@ -16,7 +16,7 @@ struct RemovalOptions {
     SurfaceRules surface;
     double strong_share =
         0.5; ///< an edge is strong above this share of the strongest at its node [-]
-    double coupling_bound = 0.775; ///< most of a_vv that may go to removed neighbours [-]
+    double coupling_bound = 0.785; ///< most of a_vv that may go to removed neighbours [-]
 };
 
 /// What the removal looks at, beside the mesh; all of it of the mesh before any removal.

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] NodeId ghost() const { return ghost_; }
     [[nodiscard]] std::size_t node_count() const { return points_.size(); }
     [[nodiscard]] std::size_t slot_count() const { return elements_.size(); }
-    [[nodiscard]] IdVector<NodeId, Vec<D>>::Ids nodes() const { return points_.ids(); }
+    [[nodiscard]] typename IdVector<NodeId, Vec<D>>::Ids nodes() const { return points_.ids(); }
 
     [[nodiscard]] const Vec<D>& point(NodeId v) const { return points_[v]; }
     [[nodiscard]] const EditElement<D>& element(ElementId e) const { return elements_[e]; }
