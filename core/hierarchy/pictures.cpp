@@ -109,23 +109,24 @@ Shape<D> shape_of(const Mesh<D>& mesh, const std::array<NodeId, 3>& t) {
     return shape;
 }
 
-/// How far the triangles of the section reach below and above `origin` along `direction`, near it.
+/// Whether most of the nodes in the window and in its mirror image lie below the origin.
 template <int D>
-bool domain_is_below(const Mesh<D>& mesh, const SectionView<D>& view, double reach) {
-    double below = 0, above = 0;
+bool layers_are_below(const Mesh<D>& mesh, const SectionView<D>& view) {
+    int below = 0, above = 0;
     for_each_triangle(mesh, [&](const auto& t, int patch) {
         if (D == 3 && patch != view.patch) {
             return;
         }
         for (const NodeId v : t) {
             const Vec<D> d = mesh.points[v] - view.origin;
-            if (std::abs(d.dot(view.along)) < reach) {
-                below = std::min(below, d.dot(view.across));
-                above = std::max(above, d.dot(view.across));
+            const double up = d.dot(view.across);
+            if (std::abs(d.dot(view.along)) < view.width / 2 && std::abs(up) < view.height) {
+                below += up < 0;
+                above += up > 0;
             }
         }
     });
-    return -below > above;
+    return below > above;
 }
 
 } // namespace
@@ -202,11 +203,12 @@ std::optional<SectionView<D>> find_section(const Mesh<D>& mesh) {
     view.origin = mesh.points[best.foot];
     view.along = best.along.normalized();
     view.across = best.across.normalized();
-    view.width = 6 * best.along.norm();
-    if (domain_is_below(mesh, view, view.width / 2)) {
+    // A few cells wide and some tens of layers high: wider, the curvature of a wall would fill it.
+    view.width = 2.4 * best.along.norm();
+    view.height = 40 * best.across.norm();
+    if (layers_are_below(mesh, view)) {
         view.across = -view.across;
     }
-    view.height = 24 * best.across.norm();
     return view;
 }
 
