@@ -24,15 +24,16 @@ std::string fixed(double value, int decimals) {
     return end.ec == std::errc() ? std::string(buffer, end.ptr) : "?";
 }
 
-std::string with_separators(std::string digits) {
-    const std::size_t stop = digits.find('.');
-    std::size_t i = stop == std::string::npos ? digits.size() : stop;
-    const std::size_t first = digits.starts_with('-') ? 1 : 0;
-    while (i > first + 3) {
-        i -= 3;
-        digits.insert(i, ",");
+std::string with_separators(const std::string& digits) {
+    const std::size_t stop = std::min(digits.find('.'), digits.size());
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && i < stop && (stop - i) % 3 == 0 && digits[i - 1] != '-') {
+            text += ',';
+        }
+        text += digits[i];
     }
-    return digits;
+    return text;
 }
 
 std::int64_t sum(const std::vector<std::int64_t>& counts) {

@@ -96,7 +96,7 @@ std::vector<double> section_spans(const OneraM6Options& o) {
 /// span, and from there rising slowly with the distance in cells.
 double thinning(int i, int j, const OneraM6Options& o) {
     const double distance = std::hypot(i - o.chord_cells / 2, j - o.span_cells / 2);
-    return std::min(1.0, o.thin_ratio * std::pow(1 + distance / o.thin_reach, 0.41));
+    return std::min(1.0, o.thin_ratio * std::pow(1 + distance / o.thin_reach, o.thin_power));
 }
 
 std::vector<Foot> feet(const OneraM6Options& o) {
@@ -288,24 +288,13 @@ const std::vector<OneraM6Preset>& onera_m6_presets() {
         large.growth_layers = 165;
         large.first_height = 0.86e-6;
         large.growth = 1.0443;
-        large.thin_ratio = 0.1;
-        large.thin_reach = 0.12;
+        large.thin_ratio = 0.0128;
+        large.thin_reach = 0.022;
+        large.thin_power = 0.6265;
         return std::vector<OneraM6Preset>{
             {"m6-8k", small}, {"m6-67k", {}}, {"m6-500k", medium}, {"m6-2m", large}};
     }();
     return presets;
-}
-
-const OneraM6Options& onera_m6_preset(std::string_view name) {
-    std::string known;
-    for (const OneraM6Preset& preset : onera_m6_presets()) {
-        if (preset.name == name) {
-            return preset.options;
-        }
-        known += (known.empty() ? "" : ", ") + preset.name;
-    }
-    throw UsageError("onera-m6: there is no preset '" + std::string(name) + "'; known are " +
-                     known);
 }
 
 } // namespace ameco

@@ -41,6 +41,8 @@ struct OneraM6Options {
     double spread = 4;     ///< distance of sections at the far field over that at the wing, >= 1
     double thin_ratio = 1; ///< first height at the thinnest column over first_height, in (0, 1]
     double thin_reach = 1; ///< how far around it columns are thinned [cells], > 0
+    double thin_power =
+        0.41; ///< of the rise from thin_ratio with the distance in thin_reach [-], > 0
     TrailingEdge trailing_edge = TrailingEdge::rounded;
     Diagonals diagonals = Diagonals::columns;
     int seed = 1;    ///< of random diagonals
@@ -56,9 +58,6 @@ struct OneraM6Preset {
 
 /// m6-8k for demonstrations, m6-67k and m6-2m as in the paper's tables 2 and 3, m6-500k between.
 [[nodiscard]] const std::vector<OneraM6Preset>& onera_m6_presets();
-
-/// \throws UsageError for an unknown name
-[[nodiscard]] const OneraM6Options& onera_m6_preset(std::string_view name);
 
 /// \throws UsageError if the growing layers alone reach the far field
 [[nodiscard]] Mesh<3> make_onera_m6(const OneraM6Options& options = {});

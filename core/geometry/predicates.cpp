@@ -18,8 +18,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon() / 2;
 // the same sums of absolute values.
 constexpr double bound_2d = (3 + 16 * epsilon) * epsilon;
 constexpr double bound_3d = (7 + 56 * epsilon) * epsilon;
-// Below this, underflow in the products could hide from the relative bounds.
-constexpr double smallest_trusted = 1e-280;
+// Underflow hides from the relative bounds: a product of two differences may lose up to 5e-324,
+// which the third factor then enlarges. This is far more than all such losses together.
+constexpr double underflow_bound = 1e-300;
 
 } // namespace
 
@@ -28,7 +29,7 @@ int orientation(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
     const double right = (a[1] - c[1]) * (b[0] - c[0]);
     const double det = left - right;
     const double sum = std::abs(left) + std::abs(right);
-    if (std::abs(det) > bound_2d * sum && std::abs(det) > smallest_trusted) {
+    if (std::abs(det) > bound_2d * sum + underflow_bound) {
         return det > 0 ? 1 : -1;
     }
     ++exact_calls;
@@ -47,7 +48,8 @@ int orientation(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>&
     const double sum = std::abs(ax) * (std::abs(bycz) + std::abs(bzcy)) +
                        std::abs(ay) * (std::abs(bzcx) + std::abs(bxcz)) +
                        std::abs(az) * (std::abs(bxcy) + std::abs(bycx));
-    if (std::abs(det) > bound_3d * sum && std::abs(det) > smallest_trusted) {
+    const double largest_factor = 1 + std::abs(ax) + std::abs(ay) + std::abs(az);
+    if (std::abs(det) > bound_3d * sum + underflow_bound * largest_factor) {
         return det > 0 ? 1 : -1;
     }
     ++exact_calls;

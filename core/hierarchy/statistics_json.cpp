@@ -131,6 +131,7 @@ Json to_json(const LevelTiming& t) {
             {"seconds",
              {{"metric", t.phases.metric},
               {"order", t.phases.order},
+              {"first_pass", t.phases.first_pass},
               {"remove", t.phases.remove},
               {"swap", t.phases.swap},
               {"check", t.phases.check},
@@ -174,6 +175,7 @@ void from_json(const Json& json, LevelTiming& t) {
     json.at("level").get_to(t.level);
     seconds.at("metric").get_to(t.phases.metric);
     seconds.at("order").get_to(t.phases.order);
+    seconds.at("first_pass").get_to(t.phases.first_pass);
     seconds.at("remove").get_to(t.phases.remove);
     seconds.at("swap").get_to(t.phases.swap);
     seconds.at("check").get_to(t.phases.check);

@@ -64,7 +64,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         throw FileError(target_.string() + ": is not a regular file; write elsewhere");
     }
-    buffer_ = std::make_unique<char[]>(buffer_size);
+    buffer_ = std::make_unique_for_overwrite<char[]>(buffer_size);
     // A file of this name can only be the remainder of a killed process with our number.
     do {
         temporary_ = temporary_name(target_);

@@ -137,14 +137,6 @@ std::int64_t remove_orphans(Mesh<D>& mesh) {
 
 // --- faces -------------------------------------------------------------------------------------
 
-/// Whether `listed`, a face on the given side of an element, points into the element. Of an element
-/// without positive volume nobody can say.
-template <int D>
-bool points_inward(const Mesh<D>& mesh, const ElementSide& side, const Facet<D>& listed) {
-    const Simplex<D>& s = mesh.elements[side.element];
-    return oppositely_oriented(facet_of<D>(s, side.opposite), listed) && orientation(mesh, s) > 0;
-}
-
 struct BoundaryFaults {
     std::vector<FaceId> turned;
     std::vector<ElementSide> missing; ///< sides of elements that no face covers, ascending

@@ -25,17 +25,47 @@ struct Entry {
     }
 };
 
+/// Appends the facets of an element whose smallest node is `v`, one of its two smallest nodes.
 template <int D>
-void append(const Facet<D>& facet, NodeId smallest, std::int32_t id, int opposite,
-            std::vector<Entry<D>>& entries) {
-    const Facet<D> nodes = sorted(facet);
-    if (nodes[0] != smallest) {
-        return;
+void append_element(const Simplex<D>& s, ElementId e, NodeId v, std::vector<Entry<D>>& entries) {
+    std::array<std::pair<NodeId, int>, D + 1> ranked; // nodes in ascending order, with their place
+    for (int i = 0; i <= D; ++i) {
+        int j = i;
+        for (; j > 0 && s[i] < ranked[j - 1].first; --j) {
+            ranked[j] = ranked[j - 1];
+        }
+        ranked[j] = {s[i], i};
     }
+    const auto append_without = [&](int left_out) {
+        Facet<D> nodes;
+        auto end = nodes.begin();
+        for (int i = 0; i <= D; ++i) {
+            if (i != left_out) {
+                *end++ = ranked[i].first;
+            }
+        }
+        Entry<D> entry;
+        std::copy(nodes.begin() + 1, nodes.end(), entry.others.begin());
+        entry.id = e.value();
+        entry.opposite = static_cast<std::int8_t>(ranked[left_out].second);
+        entries.push_back(entry);
+    };
+    if (ranked[0].first == v) {
+        for (int i = 1; i <= D; ++i) {
+            append_without(i);
+        }
+    } else {
+        append_without(0);
+    }
+}
+
+template <int D>
+void append_face(const Facet<D>& face, FaceId f, std::vector<Entry<D>>& entries) {
+    const Facet<D> nodes = sorted(face);
     Entry<D> entry;
     std::copy(nodes.begin() + 1, nodes.end(), entry.others.begin());
-    entry.id = id;
-    entry.opposite = static_cast<std::int8_t>(opposite);
+    entry.id = f.value();
+    entry.opposite = D + 1;
     entries.push_back(entry);
 }
 
@@ -67,6 +97,12 @@ void visit_runs(NodeId smallest, const std::vector<Entry<D>>& entries,
 } // namespace
 
 template <int D>
+bool points_inward(const Mesh<D>& mesh, const ElementSide& side, const Facet<D>& listed) {
+    const Simplex<D>& s = mesh.elements[side.element];
+    return oppositely_oriented(facet_of<D>(s, side.opposite), listed) && orientation(mesh, s) > 0;
+}
+
+template <int D>
 FacetTable<D>::FacetTable(const Mesh<D>& mesh) : mesh_(mesh) {
     // Of every facet of an element, the smallest node is the smallest or second smallest of the
     // element, since a facet misses one node only.
@@ -92,18 +128,18 @@ void FacetTable<D>::visit(std::size_t begin, std::size_t end,
         const NodeId v(i);
         entries.clear();
         for (const ElementId e : elements_[v]) {
-            for (int k = 0; k <= D; ++k) {
-                append<D>(facet_of<D>(mesh_.elements[e], k), v, e.value(), k, entries);
-            }
+            append_element<D>(mesh_.elements[e], e, v, entries);
         }
         for (const FaceId f : faces_[v]) {
-            append<D>(mesh_.faces[f], v, f.value(), D + 1, entries);
+            append_face<D>(mesh_.faces[f], f, entries);
         }
         std::sort(entries.begin(), entries.end());
         visit_runs<D>(v, entries, sides, faces, visit);
     }
 }
 
+template bool points_inward<2>(const Mesh<2>&, const ElementSide&, const Facet<2>&);
+template bool points_inward<3>(const Mesh<3>&, const ElementSide&, const Facet<3>&);
 template class FacetTable<2>;
 template class FacetTable<3>;
 

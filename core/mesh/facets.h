@@ -24,6 +24,12 @@ struct FacetUses {
     std::span<const FaceId> faces;      ///< faces on these nodes, ascending
 };
 
+/// Whether `listed`, a face on the given side of an element, points into the element. Of an element
+/// without positive volume nobody can say: false.
+template <int D>
+[[nodiscard]] bool points_inward(const Mesh<D>& mesh, const ElementSide& side,
+                                 const Facet<D>& listed);
+
 /// Matches facets by filing elements and faces under their smallest nodes: 8 bytes per element,
 /// and only a few dozen facets to compare at a time.
 ///

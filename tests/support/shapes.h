@@ -13,6 +13,8 @@
 #include <array>
 #include <initializer_list>
 #include <map>
+#include <numeric>
+#include <random>
 #include <vector>
 
 namespace ameco::shapes {
@@ -206,6 +208,30 @@ void number_box_sides(Mesh<D>& mesh) {
 /// The same in two dimensions, over the unit interval; the wall is y = 0 (patch 3).
 [[nodiscard]] inline Mesh<2> stretched_strip(int n, int layers, double h, double g = 1.2) {
     return rectangle(uniform(n), geometric(layers, h, g));
+}
+
+/// The mesh with its nodes and elements in random order (the same one for the same seed).
+template <int D>
+[[nodiscard]] Mesh<D> shuffled(const Mesh<D>& mesh, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<std::size_t> order(mesh.points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), random);
+    Mesh<D> result = mesh;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        result.points[NodeId(order[i])] = mesh.points[NodeId(i)];
+    }
+    const auto renumber = [&](auto& tuples) {
+        for (auto& tuple : tuples) {
+            for (NodeId& v : tuple) {
+                v = NodeId(order[v.index()]);
+            }
+        }
+    };
+    renumber(result.elements);
+    renumber(result.faces);
+    std::shuffle(result.elements.begin(), result.elements.end(), random);
+    return result;
 }
 
 } // namespace ameco::shapes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/mesh/check.h"
 
+#include "core/base/parallel.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -68,6 +69,7 @@ private slots:
     void allows_interior_faces();
     void names_all_errors_in_one_line();
     void names_every_defect();
+    void does_not_depend_on_the_number_of_threads();
 };
 
 void CheckTest::accepts_valid_meshes() {
@@ -364,6 +366,29 @@ void CheckTest::names_every_defect() {
     std::sort(names.begin(), names.end());
     QVERIFY(std::adjacent_find(names.begin(), names.end()) == names.end());
     QCOMPARE(name(Defect::boundary_not_manifold), std::string_view("non-manifold boundary"));
+}
+
+void CheckTest::does_not_depend_on_the_number_of_threads() {
+    Mesh<2> mesh = shapes::stretched_strip(150, 150, 1e-9, 1.1); // several pieces of everything
+    for (const std::size_t i : {43210u, 20000u, 700u}) {
+        std::swap(mesh.elements[ElementId(i)][0], mesh.elements[ElementId(i)][1]);
+        mesh.elements.push_back(mesh.elements[ElementId(i + 100)]);
+        mesh.region.push_back(1);
+    }
+    mesh.faces.raw().erase(mesh.faces.begin() + 17);
+    mesh.patch.raw().erase(mesh.patch.begin() + 17);
+    set_thread_count(1);
+    const CheckReport one = check(mesh);
+    set_thread_count(2);
+    const CheckReport two = check(mesh);
+    set_thread_count(0);
+    EXPECT_ERRORS(one, {{Defect::duplicate_element, 3},
+                        {Defect::inverted_element, 3},
+                        {Defect::boundary_without_face, 1},
+                        {Defect::boundary_not_closed, 2}});
+    QCOMPARE(one.summary(), two.summary());
+    QVERIFY(one.volume == two.volume); // to the bit
+    QVERIFY(one.boundary_flux == two.boundary_flux);
 }
 
 QTEST_APPLESS_MAIN(CheckTest)

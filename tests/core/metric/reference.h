@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Stretched elements at random, and what their metrics are to fifty digits; for tests and benches.
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/metric/metric.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace ameco::reference {
+
+/// The edge vectors of the regular simplex of edge 1 from its first node, as columns.
+template <int D>
+[[nodiscard]] Mat<D> regular_edges() {
+    Mat<D> W = Mat<D>::Zero();
+    W.col(0)[0] = 1;
+    W.col(1)[0] = 0.5;
+    W.col(1)[1] = std::sqrt(0.75);
+    if constexpr (D == 3) {
+        W.col(2) << 0.5, std::sqrt(1.0 / 12), std::sqrt(2.0 / 3);
+    }
+    return W;
+}
+
+/// A rotation, uniform enough.
+template <int D>
+[[nodiscard]] Mat<D> random_rotation(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    Mat<D> A;
+    for (int i = 0; i < D * D; ++i) {
+        A.data()[i] = normal(random);
+    }
+    Mat<D> Q = Eigen::HouseholderQR<Mat<D>>(A).householderQ();
+    if (Q.determinant() < 0) {
+        Q.col(0) = -Q.col(0);
+    }
+    return Q;
+}
+
+/// An element of about that aspect ratio, turned and placed at random near the origin: a regular
+/// simplex with its edge vectors shaken by 30 %, squeezed along one or two of the axes.
+template <int D>
+[[nodiscard]] std::array<Vec<D>, D + 1> stretched_simplex(std::mt19937& random, double ratio) {
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Vec<D> sizes = Vec<D>::Ones();
+    sizes[0] = 1 / ratio;
+    if constexpr (D == 3) {
+        sizes[1] = std::pow(ratio, -0.5 - 0.5 * uniform(random)); // from a slab to a needle
+    }
+    Mat<D> edges = regular_edges<D>();
+    for (int i = 0; i < D * D; ++i) {
+        edges.data()[i] += 0.15 * uniform(random);
+    }
+    const Mat<D> turned = random_rotation<D>(random) * sizes.asDiagonal() * edges;
+    std::array<Vec<D>, D + 1> points;
+    for (int k = 0; k < D; ++k) {
+        points[0][k] = uniform(random);
+    }
+    for (int i = 0; i < D; ++i) {
+        points[i + 1] = points[0] + turned.col(i);
+    }
+    return points;
+}
+
+/// Elements with the given metrics around node 0, which lies at the origin. They overlap in space;
+/// no matter.
+template <int D>
+[[nodiscard]] Mesh<D> star_of(const std::vector<Metric<D>>& metrics) {
+    Mesh<D> mesh;
+    mesh.points.push_back(Vec<D>::Zero());
+    for (const Metric<D>& metric : metrics) {
+        const Mat<D> edges = metric.directions * metric.sizes.asDiagonal() * regular_edges<D>();
+        Simplex<D> s;
+        s[0] = NodeId(0);
+        for (int i = 0; i < D; ++i) {
+            s[i + 1] = mesh.points.next_id();
+            mesh.points.push_back(edges.col(i));
+        }
+        mesh.elements.push_back(s);
+    }
+    mesh.region.resize(mesh.elements.size(), 1);
+    return mesh;
+}
+
+using Wide = boost::multiprecision::cpp_bin_float_50;
+
+/// Eigenvalues, ascending, of a symmetric matrix by Jacobi's method in fifty digits.
+template <int D>
+[[nodiscard]] std::array<Wide, D> eigenvalues(std::array<std::array<Wide, D>, D> A) {
+    for (int sweep = 0; sweep < 20; ++sweep) {
+        for (int i = 0; i < D; ++i) {
+            for (int j = i + 1; j < D; ++j) {
+                if (A[i][j] * A[i][j] <= 1e-80 * abs(A[i][i] * A[j][j])) {
+                    continue;
+                }
+                const Wide theta = (A[j][j] - A[i][i]) / (2 * A[i][j]);
+                const Wide t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
+                const Wide c = 1 / sqrt(t * t + 1);
+                const Wide s = t * c;
+                for (int k = 0; k < D; ++k) {
+                    const Wide x = A[k][i];
+                    A[k][i] = c * x - s * A[k][j];
+                    A[k][j] = s * x + c * A[k][j];
+                }
+                for (int k = 0; k < D; ++k) {
+                    const Wide x = A[i][k];
+                    A[i][k] = c * x - s * A[j][k];
+                    A[j][k] = s * x + c * A[j][k];
+                }
+            }
+        }
+    }
+    std::array<Wide, D> values;
+    for (int i = 0; i < D; ++i) {
+        values[i] = A[i][i];
+    }
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+/// Sizes of the natural metric of an element whose coordinates are exactly the given doubles, from
+/// the paper's equation (5) in fifty digits.
+template <int D>
+[[nodiscard]] Vec<D> sizes(const std::array<Vec<D>, D + 1>& points) {
+    std::array<std::array<Wide, D>, D> sum;
+    for (auto& row : sum) {
+        row.fill(0);
+    }
+    for (int a = 0; a <= D; ++a) {
+        for (int b = 0; b < a; ++b) {
+            for (int i = 0; i < D; ++i) {
+                for (int j = 0; j < D; ++j) {
+                    sum[i][j] +=
+                        (Wide(points[a][i]) - points[b][i]) * (Wide(points[a][j]) - points[b][j]);
+                }
+            }
+        }
+    }
+    const std::array<Wide, D> values = eigenvalues<D>(sum);
+    Vec<D> result;
+    for (int i = 0; i < D; ++i) {
+        result[i] = static_cast<double>(Wide(sqrt(values[i] * 2 / (D + 1))));
+    }
+    return result;
+}
+
+/// The paper's equation (5) as it stands, in doubles.
+template <int D>
+[[nodiscard]] Mat<D> inverted_sum(const std::array<Vec<D>, D + 1>& points) {
+    Mat<D> sum = Mat<D>::Zero();
+    for (int a = 0; a <= D; ++a) {
+        for (int b = 0; b < a; ++b) {
+            const Vec<D> x = points[a] - points[b];
+            sum += x * x.transpose();
+        }
+    }
+    return (D + 1) / 2.0 * sum.inverse();
+}
+
+/// Calls `body(x)` for every edge vector of an element.
+template <int D, class Body>
+void for_each_edge(const std::array<Vec<D>, D + 1>& points, const Body& body) {
+    for (int a = 0; a <= D; ++a) {
+        for (int b = 0; b < a; ++b) {
+            body(Vec<D>(points[a] - points[b]));
+        }
+    }
+}
+
+/// Largest |x^T M x - 1| over the edges x.
+template <int D>
+[[nodiscard]] double residual(const Metric<D>& metric, const std::array<Vec<D>, D + 1>& points) {
+    double worst = 0;
+    for_each_edge<D>(points, [&](const Vec<D>& x) {
+        const double l = length<D>(metric, x);
+        worst = std::max(worst, std::abs(l * l - 1));
+    });
+    return worst;
+}
+
+/// Largest relative difference of two vectors' components; infinite where one is not a number.
+template <int D>
+[[nodiscard]] double relative_difference(const Vec<D>& a, const Vec<D>& b) {
+    double worst = 0;
+    for (int i = 0; i < D; ++i) {
+        const double d = std::abs(a[i] / b[i] - 1);
+        worst = std::isfinite(d) ? std::max(worst, d) : HUGE_VAL;
+    }
+    return worst;
+}
+
+} // namespace ameco::reference
