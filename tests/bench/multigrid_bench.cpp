@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// Makes a hierarchy and prints how well multigrid converges on it:
 ///
-///     multigrid_bench CASE [name=value ...] [levels=5] [dirichlet=1,2]
-///     multigrid_bench mesh=FILE [levels=5]
+///     multigrid_bench CASE [name=value ...] [levels=5] [dirichlet=1,2] [worst=5] [full=1]
+///     multigrid_bench mesh=FILE [levels=5] ...
+///
+/// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
+/// adds smoothers, W-cycles and convection. coupling-bound=0.8, strong-share=0.5 and dominance=2
+/// change the rules of the coarsening.
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
-#include "core/multigrid/cycle.h"
-#include "core/multigrid/model_problem.h"
-#include "core/multigrid/random_vector.h"
-#include "core/multigrid/transfer.h"
+#include "core/multigrid/study.h"
 
 #include <chrono>
 #include <cstdio>
@@ -33,101 +34,167 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Exact up to roundings: direct where that is cheap, else conjugate gradients with V(2,2).
-Solver exact_solver(const MultigridMatrices& m, std::size_t level) {
-    constexpr Eigen::Index direct_limit = 15000;
-    if (m.A[level].rows() <= direct_limit || level + 1 == m.A.size()) {
-        return direct_solver(m.A[level]);
+template <int D>
+struct Grids {
+    std::vector<Mesh<D>> meshes;
+    std::vector<Transfer> transfers;
+    std::vector<LevelStructure> structures;
+};
+
+long long whole(std::int64_t value) {
+    return value;
+}
+
+template <int D>
+std::string place(const Vec<D>& x) {
+    char text[128];
+    if constexpr (D == 3) {
+        std::snprintf(text, sizeof text, "(%.6g %.6g %.6g)", x[0], x[1], x[2]);
+    } else {
+        std::snprintf(text, sizeof text, "(%.6g %.6g)", x[0], x[1]);
     }
-    CycleOptions options;
-    options.before = options.after = 2;
-    const auto inner =
-        std::make_shared<Multigrid>(m, level, m.A.size() - 1, options, direct_solver(m.A.back()));
-    return [&m, level, inner](const Vector& b) {
-        return conjugate_gradients(m.A[level], b, as_preconditioner(*inner), 1e-11).x;
-    };
+    return text;
 }
 
-double two_grid(const MultigridMatrices& m, std::size_t k, SmootherKind kind,
-                const Solver& coarse) {
-    CycleOptions options;
-    options.smoother.kind = kind;
-    return convergence_factor(m.A[k], Multigrid(m, k, k + 1, options, coarse)).value;
-}
-
-void print_hierarchy(const MultigridMatrices& m, const Vector& load, const char* title) {
-    for (const int steps : {1, 2}) {
-        CycleOptions options;
-        options.before = options.after = steps;
-        const Multigrid solver(m, 0, m.A.size() - 1, options, direct_solver(m.A.back()));
-        const double factor = convergence_factor(m.A[0], solver).value;
-        const auto on_load = conjugate_gradients(m.A[0], load, as_preconditioner(solver));
-        const auto on_random =
-            conjugate_gradients(m.A[0], random_vector(load.size(), 7), as_preconditioner(solver));
-        std::printf("  %s GS V(%d,%d): factor %.3f, CG %d (f = 1), %d (random f)\n", title, steps,
-                    steps, factor, on_load.iterations, on_random.iterations);
+template <int D>
+Grids<D> make_grids(Mesh<D> mesh, int levels, const CoarsenOptions& options) {
+    Grids<D> grids;
+    Stopwatch watch;
+    Level<D> fine = finest_level(std::move(mesh), options);
+    for (int k = 1; k <= levels; ++k) {
+        CoarsenReport report;
+        watch.lap();
+        Level<D> coarse = coarsen(fine, options, report);
+        const double coarsen_seconds = watch.lap();
+        grids.transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
+        const double locate_seconds = watch.lap();
+        const TransferCheck c = check(grids.transfers.back(), fine.mesh, coarse.mesh);
+        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, line nodes %lld; coarsen %.2f s, "
+                    "locate %.2f s; projected %lld (farthest %.2g), linear error %.1e%s%s\n",
+                    k, whole(report.nodes_before), whole(report.nodes_after),
+                    static_cast<double>(report.nodes_before) /
+                        static_cast<double>(report.nodes_after),
+                    whole(report.line_nodes), coarsen_seconds, locate_seconds, whole(c.projected),
+                    c.largest_projection, c.linear_error,
+                    c.passed() ? "" : "; TRANSFER CHECK FAILED: ", c.failures().c_str());
         std::fflush(stdout);
+        grids.meshes.push_back(std::move(fine.mesh));
+        grids.structures.push_back(level_structure(grids.meshes.back()));
+        fine = std::move(coarse);
+    }
+    grids.meshes.push_back(std::move(fine.mesh));
+    grids.structures.push_back(level_structure(grids.meshes.back()));
+    return grids;
+}
+
+template <int D>
+void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::size_t k) {
+    const auto& unknowns = equations.unknowns[k + 1];
+    Vector ratios(static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        ratios[static_cast<Eigen::Index>(i)] = equations.ratios[k][unknowns[i]];
+    }
+    const auto v = pair_invariants(g.meshes[k], g.structures[k], g.meshes[k + 1],
+                                   g.structures[k + 1], g.transfers[k], ratios, unknowns);
+    std::printf("    %zu-%zu  gaps %lld (%lld at ends, longest %.0f at %s), three kept in a row "
+                "%lld, lineless "
+                "%lld (%.4f %%), FF %.2f at %s (%lld above 0.8), G/A %.2f at %s (%lld above 2)\n",
+                k, k + 1, whole(v.gaps), whole(v.gaps_at_ends), v.longest_gap.value,
+                place<D>(v.longest_gap.point).c_str(), whole(v.stuck), whole(v.lineless_elements),
+                100 * v.lineless_share, v.ff.value, place<D>(v.ff.point).c_str(),
+                whole(v.ff_exceeded), v.galerkin_ratio.value,
+                place<D>(v.galerkin_ratio.point).c_str(), whole(v.galerkin_exceeded));
+}
+
+template <int D>
+void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t k,
+                 const ConvergenceFactor& slow, int count) {
+    const Vector diagonal = equations.matrices.A[k].diagonal();
+    const auto mode = examine_error(g.meshes[k], g.structures[k], g.transfers[k], slow.slowest,
+                                    diagonal, equations.unknowns[k], equations.ratios[k], count);
+    std::printf("         slowest error: %lld nodes carry 90 %%\n", whole(mode.carriers));
+    for (const auto& n : mode.worst) {
+        std::printf("         node %d %s %.1f %% %s%s: gap %d, FF %.2f, interpolated coupling "
+                    "%.2f (largest weight %.2f), G/A %.2f: %s\n",
+                    n.node.value(), place<D>(n.point).c_str(), 100 * n.share,
+                    n.kept ? "kept" : "removed", n.on_line ? ", on a line" : "", n.gap,
+                    n.removed_coupling, n.interpolated_coupling, n.largest_weight, n.galerkin_ratio,
+                    n.findings.c_str());
     }
 }
 
 template <int D>
-void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem) {
-    Stopwatch watch;
-    CoarsenOptions options;
-    std::vector<Level<D>> hierarchy;
-    std::vector<Transfer> transfers;
-    hierarchy.push_back(finest_level(std::move(mesh), options));
-    for (int k = 1; k <= levels; ++k) {
-        CoarsenReport report;
-        watch.lap();
-        hierarchy.push_back(coarsen(hierarchy.back(), options, report));
-        const double coarsen_seconds = watch.lap();
-        const auto& fine = hierarchy[hierarchy.size() - 2];
-        const auto& coarse = hierarchy.back();
-        transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
-        const double locate_seconds = watch.lap();
-        const TransferCheck c = check(transfers.back(), fine.mesh, coarse.mesh);
-        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, line nodes %lld; coarsen %.2f s, "
-                    "locate %.2f s; projected %lld (farthest %.2g), linear error %.1e%s%s\n",
-                    k, static_cast<long long>(report.nodes_before),
-                    static_cast<long long>(report.nodes_after),
-                    static_cast<double>(report.nodes_before) / report.nodes_after,
-                    static_cast<long long>(report.line_nodes), coarsen_seconds, locate_seconds,
-                    static_cast<long long>(c.projected), c.largest_projection, c.linear_error,
-                    c.passed() ? "" : "; TRANSFER CHECK FAILED: ", c.failures().c_str());
+void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) {
+    std::printf("  invariants, and two-grid factors (rediscretised, exact coarse solve)\n");
+    for (std::size_t k = 0; k + 1 < g.meshes.size(); ++k) {
+        print_invariants(g, equations, k);
+        const Solver coarse = exact_solver(equations, k + 1);
+        CycleOptions options;
+        options.smoother.kind = SmootherKind::gauss_seidel;
+        const double gs = two_grid(equations, k, options, coarse).value;
+        options.smoother.kind = SmootherKind::jacobi;
+        const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
+        std::printf("         two-grid Jacobi(1,1) %.3f, GS(1,1) %.3f\n", jacobi.value, gs);
+        if (worst > 0 && jacobi.value > 0.115 && jacobi.slowest.size() > 0) {
+            print_worst(g, equations, k, jacobi, worst);
+        }
         std::fflush(stdout);
     }
-    MultigridMatrices m;
-    std::vector<std::vector<NodeId>> unknowns;
-    for (const auto& level : hierarchy) {
-        unknowns.push_back(free_nodes(level.mesh, problem));
-        m.A.push_back(restricted(assemble(level.mesh, problem), unknowns.back(), unknowns.back()));
+}
+
+void print_cycle(const LevelEquations& equations, const Vector& load, const CycleOptions& options,
+                 CoarseOperator kind) {
+    const CycleStudy s = study_cycle(equations, options, load);
+    std::printf("  %-13s %-12s %s(%d,%d)  factor %.3f, %s %2d (f = 1), %2d (random f), operator "
+                "complexity %.2f, work %.1f a cycle, set-up %.2f s, solve %.2f s\n",
+                std::string(name(kind)).c_str(), std::string(name(options.smoother.kind)).c_str(),
+                options.gamma == 1 ? "V" : "W", options.before, options.after, s.factor,
+                equations.symmetric ? "CG" : "GMRES", s.krylov.iterations, s.random_iterations,
+                equations.operator_complexity, s.work_per_cycle, s.setup_seconds, s.solve_seconds);
+    std::fflush(stdout);
+}
+
+template <int D>
+void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) {
+    for (const CoarseOperator kind :
+         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+        LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
+        for (std::size_t k = 0; k < g.meshes.size(); ++k) {
+            equations.matrices.lines.push_back(
+                unknown_lines(g.structures[k].lines, equations.unknowns[k]));
+        }
+        const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+        for (const SmootherKind smoother : {SmootherKind::gauss_seidel, SmootherKind::jacobi,
+                                            SmootherKind::chebyshev, SmootherKind::line}) {
+            for (const int gamma : {1, 2}) {
+                for (const int steps : {1, 2}) {
+                    CycleOptions options{{smoother}, steps, steps, gamma};
+                    if (full || (smoother == SmootherKind::gauss_seidel && gamma == 1)) {
+                        print_cycle(equations, load, options, kind);
+                    }
+                }
+            }
+        }
     }
-    for (std::size_t k = 0; k + 1 < hierarchy.size(); ++k) {
-        m.P.push_back(restricted(transfers[k].P, unknowns[k], unknowns[k + 1]));
+}
+
+template <int D>
+void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem, int worst, bool full,
+         const CoarsenOptions& coarsening) {
+    const Grids<D> g = make_grids(std::move(mesh), levels, coarsening);
+    {
+        const LevelEquations equations =
+            level_equations(g.meshes, g.transfers, problem, CoarseOperator::rediscretised);
+        std::printf("  grid complexity %.2f\n", equations.grid_complexity);
+        print_pairs(g, equations, worst);
     }
-    std::printf("  two-grid, rediscretised: levels, Jacobi(1,1), GS(1,1)\n");
-    for (std::size_t k = 0; k + 1 < m.A.size(); ++k) {
-        const Solver coarse = exact_solver(m, k + 1);
-        std::printf("    %zu-%zu  %.3f  %.3f\n", k, k + 1,
-                    two_grid(m, k, SmootherKind::jacobi, coarse),
-                    two_grid(m, k, SmootherKind::gauss_seidel, coarse));
-        std::fflush(stdout);
+    print_cycles(g, problem, full);
+    if (full) {
+        std::printf("  convection-diffusion, velocity (50, 0 ...)\n");
+        ModelProblem<D> convection = problem;
+        convection.velocity[0] = 50;
+        print_cycles(g, convection, false);
     }
-    const Vector load = restricted(unit_load(hierarchy[0].mesh), unknowns[0]);
-    print_hierarchy(m, load, "rediscretised");
-    MultigridMatrices galerkin;
-    galerkin.A.push_back(m.A[0]);
-    galerkin.P = m.P;
-    double entries = static_cast<double>(m.A[0].nonZeros());
-    for (const SparseMatrix& P : m.P) {
-        const SparseMatrix AP = galerkin.A.back() * P;
-        galerkin.A.emplace_back(SparseMatrix(P.transpose()) * AP);
-        entries += static_cast<double>(galerkin.A.back().nonZeros());
-    }
-    print_hierarchy(galerkin, load, "Galerkin");
-    std::printf("  Galerkin operator complexity %.2f\n",
-                entries / static_cast<double>(m.A[0].nonZeros()));
 }
 
 } // namespace
@@ -135,8 +202,10 @@ void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem) {
 int main(int argc, char** argv) {
     std::map<std::string, std::string> parameters;
     std::string name, file;
-    int levels = 5;
+    int levels = 5, worst = 5;
+    bool full = false;
     std::vector<int> dirichlet;
+    CoarsenOptions coarsening;
     for (int i = 1; i < argc; ++i) {
         const std::string arg = argv[i];
         const auto eq = arg.find('=');
@@ -148,6 +217,16 @@ int main(int argc, char** argv) {
             file = value;
         } else if (key == "levels") {
             levels = std::stoi(value);
+        } else if (key == "worst") {
+            worst = std::stoi(value);
+        } else if (key == "full") {
+            full = value != "0";
+        } else if (key == "coupling-bound") {
+            coarsening.removal.coupling_bound = std::stod(value);
+        } else if (key == "strong-share") {
+            coarsening.removal.strong_share = std::stod(value);
+        } else if (key == "dominance") {
+            coarsening.lines.dominance = std::stod(value);
         } else if (key == "dirichlet") {
             std::stringstream list(value);
             for (std::string item; std::getline(list, item, ',');) {
@@ -164,7 +243,7 @@ int main(int argc, char** argv) {
                 complete_boundary(m);
                 ModelProblem<D> problem;
                 problem.dirichlet_patches = dirichlet;
-                run(std::move(m), levels, problem);
+                run(std::move(m), levels, problem, worst, full, coarsening);
             },
             mesh);
     } catch (const std::exception& e) {
