@@ -90,21 +90,28 @@ private:
     Conversion convert_metric(Session& session) const {
         require_suffix(output_, {".solb", ".sol"});
         session.monitor.progress(0, "reading " + input_);
-        const MetricFile file = read_metric(input_);
+        const TensorFile file = read_tensors(input_); // as they stand: no digit is lost
         for (const std::string& note : file.notes) {
             session.monitor.message(Severity::info, input_ + ": " + note);
         }
-        WriteOptions options;
-        options.version = version_ > 0 ? version_ : options.version;
         Conversion result;
         result.format = file.format;
-        std::visit(
-            [&](const auto& field) {
-                write_metric(output_, field, options);
-                result.what = count_text(static_cast<std::int64_t>(field.size())) + " tensors";
-            },
-            file.field);
+        if (const auto* solid = std::get_if<IdVector<NodeId, Tensor<3>>>(&file.tensors)) {
+            result.what = write_tensors_of<3>(*solid, file.format_version);
+        } else {
+            result.what = write_tensors_of<2>(std::get<IdVector<NodeId, Tensor<2>>>(file.tensors),
+                                              file.format_version);
+        }
         return result;
+    }
+
+    template <int D>
+    std::string write_tensors_of(const IdVector<NodeId, Tensor<D>>& tensors,
+                                 int input_version) const {
+        WriteOptions options;
+        options.version = version_ > 0 ? version_ : input_version;
+        write_tensors<D>(output_, tensors, options);
+        return count_text(static_cast<std::int64_t>(tensors.size())) + " tensors";
     }
 
     std::string input_;

@@ -40,7 +40,7 @@ LevelTable::LevelTable(std::ostream& out, int dimension)
                          {element_word(dimension), Table::Align::right, 10},
                          {"ratio"},
                          {"predicted", Table::Align::right, 9},
-                         {"reached", Table::Align::right, 7},
+                         {"of that", Table::Align::right, 7},
                          {"max AR", Table::Align::right, 7},
                          {"top 5 %", Table::Align::right, 7},
                          {"AR < 5", Table::Align::right, 7},
@@ -55,7 +55,7 @@ void LevelTable::add(const LevelStatistics& level, double seconds) {
         out_, {std::to_string(level.level), count_text(level.nodes), count_text(level.elements),
                coarse ? ratio_text(level.ratio) : "",
                coarse ? count_text(std::llround(level.predicted_nodes)) : "",
-               coarse ? ratio_text(static_cast<double>(level.nodes) / level.predicted_nodes) : "",
+               coarse ? percent_text(static_cast<double>(level.nodes) / level.predicted_nodes) : "",
                number_text(level.aspect_ratio.max), number_text(level.aspect_ratio.top_5_percent),
                percent_text(level.aspect_ratio.share_isotropic),
                percent_text(level.conformity.in_band), number_text(seconds, 3)});

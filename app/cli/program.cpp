@@ -121,7 +121,8 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
     if (app.get_parent() == nullptr && std::filesystem::exists(word, ignored)) {
         return word + " is a file, not a command: try ameco info " + word;
     }
-    return "unknown command " + word + did_you_mean(word, command_names(app));
+    const std::string kind = app.get_parent() == nullptr ? "command" : app.get_name();
+    return "unknown " + kind + " " + word + did_you_mean(word, command_names(app));
 }
 
 std::string usage_error_text(const CLI::App& app, const CLI::ParseError& error) {
@@ -143,7 +144,13 @@ std::string usage_error_text(const CLI::App& app, const CLI::ParseError& error) 
     if (!rest.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         return unknown_word(chosen, rest.front());
     }
-    return error.what();
+    std::string text = error.what();
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        if (const std::size_t at = text.find("is required"); at != std::string::npos) {
+            text.replace(at, std::string("is required").size(), "is missing");
+        }
+    }
+    return text;
 }
 
 /// The command line's parser with all commands.

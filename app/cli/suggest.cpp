@@ -37,7 +37,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
             best_distance = distance;
         }
     }
-    const int near = std::max(1, static_cast<int>(word.size()) / 3);
+    const int near = (static_cast<int>(word.size()) + 1) / 3;
     return best != nullptr && best_distance <= near ? ", did you mean " + *best + "?" : "";
 }
 

@@ -113,8 +113,9 @@ void TerminalMonitor::draw_bar(double fraction, std::string_view step, double el
 }
 
 void TerminalMonitor::print_plain(double fraction, std::string_view step, double elapsed) {
+    constexpr double quick = 2; // seconds: what is over sooner needs no lines about it
     const int tenths = static_cast<int>(std::floor(10 * fraction));
-    if (tenths <= tenths_printed_) {
+    if (elapsed < quick || tenths <= tenths_printed_) {
         return;
     }
     tenths_printed_ = tenths;

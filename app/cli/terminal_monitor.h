@@ -14,7 +14,7 @@ namespace ameco::cli {
 enum class ProgressStyle {
     none,
     bar,   ///< one line that is drawn again and again; for a terminal
-    plain, ///< a line every 10 %; for a log file
+    plain, ///< a line every 10 %, after the first two seconds; for a log file
     json   ///< one JSON object per line; for programs
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// The few exception types, for trouble that comes from outside the program: files, options, signals.
-/// What an algorithm declines to do is a value (remesh/verdict.h), not an exception.
+/// The few exception types, for trouble that comes from outside the program: files, options,
+/// signals. What an algorithm declines to do is a value (remesh/verdict.h), not an exception.
 #pragma once
 
 #include <stdexcept>
@@ -12,15 +12,15 @@ namespace ameco {
 /// Exit codes of the program; numbers other people's scripts rely on.
 enum class ExitCode : int {
     ok = 0,
-    internal = 1,       ///< a bug of ours
-    usage = 2,          ///< wrong options
-    check_failed = 3,   ///< a check or a gate said no
-    file = 4,           ///< cannot read or write
-    invalid_input = 5,  ///< the file was read, its content is not a valid mesh or metric
-    partial = 6,        ///< stopped early, the last good level is kept
-    memory = 7,         ///< not enough memory
-    not_built = 8,      ///< the feature was left out of this build
-    cancelled = 130     ///< the user cancelled
+    internal = 1,      ///< a bug of ours
+    usage = 2,         ///< wrong options
+    check_failed = 3,  ///< a check or a gate said no
+    file = 4,          ///< cannot read or write
+    invalid_input = 5, ///< the file was read, its content is not a valid mesh or metric
+    partial = 6,       ///< stopped early, the last good level is kept
+    memory = 7,        ///< not enough memory
+    not_built = 8,     ///< the feature was left out of this build
+    cancelled = 130    ///< the user cancelled
 };
 
 /// Trouble from outside. The text is one line for the user: what, where, and what to do about it.

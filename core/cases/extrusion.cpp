@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/cases/extrusion.h"
 
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/cases/random.h"
+#include "core/geometry/predicates.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace ameco {
@@ -57,6 +61,35 @@ struct Border3 {
 };
 Border3 border(const std::array<int, 3>& facet, int i) {
     return {{facet[(i + 1) % 3], facet[(i + 2) % 3]}, false};
+}
+
+/// Whether the corners are in positive order, by exact signs.
+template <int D>
+bool positive(const Mesh<D>& mesh, const Simplex<D>& s) {
+    const auto x = corners_of(mesh, s);
+    if constexpr (D == 2) {
+        return orientation(x[0], x[1], x[2]) > 0;
+    } else {
+        return orientation(x[0], x[1], x[2], x[3]) > 0;
+    }
+}
+
+template <int D>
+void require_positive_elements(const Mesh<D>& mesh) {
+    std::atomic<std::int64_t> folded{0};
+    parallel_for(mesh.elements.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) {
+            if (!positive(mesh, mesh.elements[ElementId(e)])) {
+                ++folded;
+            }
+        }
+    });
+    if (folded > 0) {
+        throw UsageError("these parameters fold " + std::to_string(folded) + " of " +
+                         std::to_string(mesh.elements.size()) +
+                         " elements: take more cells where the wall is curved, smaller "
+                         "displacements, or thinner layers");
+    }
 }
 
 template <int D>
@@ -127,6 +160,7 @@ Mesh<D> extrude(const Wall<D>& wall, std::vector<Vec<D>> points, const ColumnRan
         add_face<D>(mesh, top, top_patch);
     }
     mesh.region.assign(mesh.elements.size(), 1);
+    require_positive_elements(mesh);
     return mesh;
 }
 

@@ -58,6 +58,9 @@ using ColumnRank = std::function<std::uint64_t(std::size_t column, std::size_t l
 /// \param wall_patch  patch of the wall itself
 /// \param top_patch   patch of the last layer
 /// \return            one element region; nodes in the order of `points`
+/// \throws UsageError if an element is not positive (exact signs): columns that lean too far over
+/// the
+///         wall, as where few cells go around a sharp curve
 template <int D>
 [[nodiscard]] Mesh<D> extrude(const Wall<D>& wall, std::vector<Vec<D>> points,
                               const ColumnRank& rank, int wall_patch, int top_patch);

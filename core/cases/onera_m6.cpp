@@ -92,8 +92,7 @@ std::vector<double> section_spans(const OneraM6Options& o) {
     return equidistribute(half_span, static_cast<std::size_t>(o.span_cells), size);
 }
 
-/// First height at a column over the common one: thinnest at mid chord of the upper side at mid
-/// span, and from there rising slowly with the distance in cells.
+/// First height at column i of section j over the common one.
 double thinning(int i, int j, const OneraM6Options& o) {
     const double distance = std::hypot(i - o.chord_cells / 2, j - o.span_cells / 2);
     return std::min(1.0, o.thin_ratio * std::pow(1 + distance / o.thin_reach, o.thin_power));
@@ -234,9 +233,25 @@ void place_column(const Foot& foot, const OneraM6Options& o, const std::vector<s
     }
 }
 
+void require_sensible_layers(const OneraM6Options& o) {
+    if (o.growth_layers >= o.layers) {
+        throw UsageError("onera-m6: growth-layers is " + std::to_string(o.growth_layers) + " of " +
+                         std::to_string(o.layers) + " layers: leave some to fill the far field");
+    }
+    // Where columns lag behind their neighbours for good, outer layers would be too steep.
+    const double caught_up = o.thin_ratio * std::pow(2 / o.growth, o.growth_layers - 1);
+    if (o.thin_ratio < 1 && caught_up < 1) {
+        throw UsageError("onera-m6: thin-ratio is " + std::to_string(o.thin_ratio) +
+                         ", but thinned heights, which double, do not become as high as the "
+                         "others in " +
+                         std::to_string(o.growth_layers) + " growth-layers: take more of either");
+    }
+}
+
 } // namespace
 
 Mesh<3> make_onera_m6(const OneraM6Options& o) {
+    require_sensible_layers(o);
     const Wall<3> wall = wing_wall(o);
     const std::vector<Foot> start = feet(o);
     const std::vector<std::size_t> kept = kept_layers(static_cast<std::size_t>(o.layers), o.every);

@@ -15,7 +15,7 @@ namespace ameco {
 /// layer, which itself grows with the distance.
 /// Patches: 1 wall, 2 farfield.
 struct ShellOptions {
-    double a = 1, b = 1, c = 1; ///< half axes along x, y, z [L], > 0; a >= b >= c
+    double a = 1, b = 1, c = 1; ///< half axes along x, y, z [L], > 0, a >= b >= c
     int frequency = 16;         ///< of the icosphere: 10 frequency^2 + 2 wall nodes, >= 2
     double aspect_ratio = 1e4;  ///< mean edge of the wall over the first height [-], >= 1
     double growth = 1.2;        ///< of the heights [-], > 1
@@ -29,6 +29,7 @@ struct ShellOptions {
     int shuffle = 0; ///< seed of a random numbering; 0 keeps layer by layer
 };
 
+/// \throws UsageError if the wall has too few nodes for its curvature
 [[nodiscard]] Mesh<3> make_shell(const ShellOptions& options = {});
 
 } // namespace ameco

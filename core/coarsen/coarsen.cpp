@@ -48,7 +48,7 @@ struct LevelData {
     FrontOrder front;
     Lines lines;
     IdVector<NodeId, Mat<D>> natural, target;
-    IdVector<NodeId, float> short_size, aspect;
+    IdVector<NodeId, float> short_size;
     SizeField<D> sizes;
     RootField<D> root;
 };
@@ -60,10 +60,8 @@ void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelDa
     data.sizes = make_size_field(target);
     data.root = make_root_field(target);
     data.short_size.resize(target.size());
-    data.aspect.resize(target.size());
     for (const NodeId v : fine.mesh.points.ids()) {
         data.short_size[v] = static_cast<float>(fine.natural[v].sizes[0]);
-        data.aspect[v] = static_cast<float>(aspect_ratio(target[v]));
     }
 }
 
@@ -87,7 +85,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     set_size_qualities(mesh, data.sizes);
     const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
                                 data.natural,     data.target,    data.short_size};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.aspect, data.short_size, data.lines};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = 1;
@@ -99,6 +97,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
             remove_first_pass(mesh, data.lines, state, input, options.removal, report.removal,
                               part);
             watch.lap(report.seconds.first_pass);
+            report.removed_in_first_pass = report.removal[Verdict::accepted];
         } else {
             remove_again(mesh, data.lines, state, input, options.removal, report.removal, part);
             watch.lap(report.seconds.remove);

@@ -22,7 +22,7 @@ struct CoarsenOptions {
     LineOptions lines;
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     SwapOptions swaps;
-    int passes = 3; ///< removal passes, >= 1; swaps come after each
+    int passes = 4; ///< removal passes, >= 1; swaps come after each
 };
 
 /// Wall-clock seconds of one level, by phase.
@@ -41,8 +41,10 @@ struct PhaseSeconds {
 struct CoarsenReport {
     std::int64_t nodes_before = 0, nodes_after = 0;
     std::int64_t elements_before = 0, elements_after = 0;
-    double predicted_nodes = 0;      ///< nodes_before times the quotient of expected_nodes, target over natural
+    double predicted_nodes =
+        0; ///< nodes_before times the quotient of expected_nodes, target over natural
     VerdictCounts removal, swaps;
+    std::int64_t removed_in_first_pass = 0;
     std::int64_t line_nodes = 0; ///< nodes on lines across layers, before
     std::int64_t lines = 0;
     double deviation = 0;          ///< bound of the boundary's distance to the finest one [L]

@@ -76,29 +76,60 @@ private:
         return false;
     }
 
-    /// \param kept_only  collapse onto kept nodes that are too close only
-    bool remove_off_line(NodeId v, bool kept_only) {
+    /// \param first_pass  collapse only onto kept nodes that are too close and strongly coupled;
+    ///                    later any neighbour will do, as long as a strong one stays
+    bool remove_off_line(NodeId v, bool first_pass) {
         collect_neighbours(v);
-        const float strong = static_cast<float>(options_.strong_share) * in_.couplings.strongest[v];
+        const float strong = static_cast<float>(options_.strong_share) * strongest_way_out(v);
         bool crowded = false;
-        bool any_strong = false;
         candidates_.clear();
         for (const NodeId w : neighbours_) {
-            const bool close = (!kept_only || state_.kept[w] != 0) && too_close(v, w);
+            const bool close = (!first_pass || state_.kept[w] != 0) && too_close(v, w);
             crowded = crowded || close;
-            if ((close || !kept_only) && in_.couplings.between(v, w) >= strong) {
-                any_strong = true;
+            if (!first_pass || (close && in_.couplings.between(v, w) >= strong)) {
                 candidates_.push_back(w);
             }
         }
         if (!crowded) {
             return false;
         }
-        if (!any_strong || !within_coupling_bound(v)) {
-            verdicts_.add(any_strong ? Verdict::coupling_bound : Verdict::weak_coupling);
+        if (candidates_.empty() || (!first_pass && !keeps_strong_neighbour(v, strong))) {
+            verdicts_.add(Verdict::weak_coupling);
+            return false;
+        }
+        if (!within_coupling_bound(v)) {
+            verdicts_.add(Verdict::coupling_bound);
             return false;
         }
         return take_best(v);
+    }
+
+    bool keeps_strong_neighbour(NodeId v, float strong) const {
+        const auto neighbours = in_.couplings.neighbours[v];
+        const auto values = in_.couplings.at(v);
+        for (std::size_t i = 0; i < neighbours.size(); ++i) {
+            if (values[i] >= strong && !mesh_.is_removed(neighbours[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// The strongest coupling along which the geometry lets `v` leave: a node of the boundary may
+    /// be tied more strongly to the inside.
+    float strongest_way_out(NodeId v) const {
+        if (mesh_.node_class(v) == NodeClass::interior) {
+            return in_.couplings.strongest[v];
+        }
+        float strongest = 0;
+        const auto neighbours = in_.couplings.neighbours[v];
+        const auto values = in_.couplings.at(v);
+        for (std::size_t i = 0; i < neighbours.size(); ++i) {
+            if (mesh_.on_boundary(neighbours[i])) {
+                strongest = std::max(strongest, values[i]);
+            }
+        }
+        return strongest;
     }
 
     bool take_best(NodeId v) {

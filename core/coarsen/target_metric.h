@@ -9,7 +9,7 @@ namespace ameco {
 
 struct TargetOptions {
     double factor = 2.0; ///< coarse size over fine size [-], > 1
-    double slack = 1.42; ///< how far a size may pass the one before it [-], >= 1; the paper has 1
+    double slack = 1.2;  ///< how far a size may pass the one before it [-], >= 1; the paper has 1
 };
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.

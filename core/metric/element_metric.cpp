@@ -9,7 +9,7 @@
 namespace ameco {
 namespace {
 
-// T is double for one element or Pack for two side by side.
+// T is double for one element or Pack for several side by side.
 
 template <std::size_t D, class T>
 using Row = std::array<T, D>;
@@ -53,7 +53,7 @@ Row<D, T> unit(const Row<D, T>& v, const Row<D, T>& otherwise) {
 /// revisited, JCGT 6, 2017).
 template <class T>
 Row<3, T> perpendicular(const Row<3, T>& q) {
-    const T sign = with_sign(constant<T>(1), q[2]);
+    const T sign = with_sign(T(1), q[2]);
     const T a = -1.0 / (sign + q[2]);
     return {1.0 + sign * q[0] * q[0] * a, sign * q[0] * q[1] * a, -sign * q[0]};
 }
@@ -70,13 +70,13 @@ Row<3, T> across(const Row<3, T>& v, const Row<3, T>& q) {
 /// without being accurate; it has to be orthonormal.
 template <class T>
 Columns<2, T> frame_of(const Columns<2, T>& e) {
-    const Row<2, T> q = unit<2, T>(longest(e), {constant<T>(1), T{}});
+    const Row<2, T> q = unit<2, T>(longest(e), {T(1), T{}});
     return {q, {-q[1], q[0]}};
 }
 
 template <class T>
 Columns<3, T> frame_of(const Columns<3, T>& e) {
-    const Row<3, T> q = unit<3, T>(longest(e), {constant<T>(1), T{}, T{}});
+    const Row<3, T> q = unit<3, T>(longest(e), {T(1), T{}, T{}});
     // Twice is enough: after the second time the width of a needle is free of its length.
     const Row<3, T> wide = longest<3, T>({across(e[0], q), across(e[1], q), across(e[2], q)});
     const Row<3, T> r = unit(across(wide, q), perpendicular(q));
@@ -116,14 +116,18 @@ Columns<D, T> graded_inverse(const std::array<Row<D, T>, D + 1>& x, Columns<D, T
     }
     Q = frame_of(rounded);
     std::array<Row<D, T>, D> J;
-    for (std::size_t k = 0; k < D; ++k) {
+    Row<D, T> e;
+    for (std::size_t i = 0; i < D; ++i) {
+        e[i] = dot(Q[0], rounded[i]);
+    }
+    J[0] = over_regular(e);
+    for (std::size_t k = 1; k < D; ++k) {
         std::array<TwoPart<T>, D> q_half;
         for (std::size_t i = 0; i < D; ++i) {
             q_half[i] = halves(Q[k][i]);
         }
-        Row<D, T> e;
         for (std::size_t i = 0; i < D; ++i) {
-            e[i] = k == 0 ? dot(Q[k], rounded[i]) : accurate_dot(Q[k], q_half, edges[i]);
+            e[i] = accurate_dot(Q[k], q_half, edges[i]);
         }
         J[k] = over_regular(e);
     }
@@ -182,7 +186,7 @@ void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> 
             const ElementId e(first.index() + n + std::min(lane, lanes - 1));
             for (std::size_t i = 0; i <= D; ++i) {
                 for (std::size_t k = 0; k < D; ++k) {
-                    x[i][k][lane] = mesh.points[mesh.elements[e][i]][k];
+                    x[i][k].set_lane(lane, mesh.points[mesh.elements[e][i]][k]);
                 }
             }
         }
@@ -190,9 +194,9 @@ void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> 
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             Metric<D>& metric = metrics[n + lane];
             for (std::size_t j = 0; j < D; ++j) {
-                metric.sizes[j] = natural.sizes[j][lane];
+                metric.sizes[j] = natural.sizes[j].lane(lane);
                 for (std::size_t i = 0; i < D; ++i) {
-                    metric.directions(i, j) = natural.directions[j][i][lane];
+                    metric.directions(i, j) = natural.directions[j][i].lane(lane);
                 }
             }
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// Two doubles handled side by side, and the same words for one double.
+/// Four doubles handled side by side, and the same words for one double.
 #pragma once
 
 #include <cmath>
@@ -13,66 +13,116 @@
 
 namespace ameco {
 
-/// Two numbers that take every step together; each lane has the bits a lone double would have. The
-/// compilers' vector type gives + - * / and comparisons. Two is the width every 64-bit machine has;
-/// four on such a machine are slower.
-using Pack = double __attribute__((vector_size(16)));
-using PackMask = decltype(Pack{} < Pack{}); // -1 where true
-inline constexpr std::size_t pack_lanes = 2;
+/// Four numbers that take every step together; each lane gets the bits a lone double would get.
+///
+/// Kept in two registers of two, the width every 64-bit machine has (the compilers' vector type):
+/// while one of them waits for a root or a quotient, the other has work.
+struct Pack {
+    using Register = double __attribute__((vector_size(16)));
+
+    Register a{};
+    Register b{};
+
+    Pack() = default;
+    Pack(double x) : a(Register{} + x), b(a) {} // implicit, so that 2.0 * p reads as for a double
+    Pack(Register low, Register high) : a(low), b(high) {}
+
+    [[nodiscard]] double lane(std::size_t n) const { return n < 2 ? a[n] : b[n - 2]; }
+    void set_lane(std::size_t n, double x) {
+        if (n < 2) {
+            a[n] = x;
+        } else {
+            b[n - 2] = x;
+        }
+    }
+};
+
+/// Truth of a comparison in each lane: all bits set where true.
+struct PackMask {
+    using Register = decltype(Pack::Register{} < Pack::Register{});
+
+    Register a;
+    Register b;
+};
+
+inline constexpr std::size_t pack_lanes = 4;
+
+[[nodiscard]] inline Pack operator+(Pack x, Pack y) {
+    return {x.a + y.a, x.b + y.b};
+}
+[[nodiscard]] inline Pack operator-(Pack x, Pack y) {
+    return {x.a - y.a, x.b - y.b};
+}
+[[nodiscard]] inline Pack operator*(Pack x, Pack y) {
+    return {x.a * y.a, x.b * y.b};
+}
+[[nodiscard]] inline Pack operator/(Pack x, Pack y) {
+    return {x.a / y.a, x.b / y.b};
+}
+[[nodiscard]] inline Pack operator-(Pack x) {
+    return {-x.a, -x.b};
+}
+[[nodiscard]] inline PackMask operator<(Pack x, Pack y) {
+    return {x.a < y.a, x.b < y.b};
+}
+[[nodiscard]] inline PackMask operator>(Pack x, Pack y) {
+    return {x.a > y.a, x.b > y.b};
+}
 
 // Code that is written once for T = double and T = Pack uses these.
 
-/// The number `a`, in all lanes.
-template <class T>
-[[nodiscard]] inline T constant(double a) {
-    return T{} + a;
+[[nodiscard]] inline double root(double x) {
+    return std::sqrt(x);
 }
-
-[[nodiscard]] inline double root(double a) {
-    return std::sqrt(a);
-}
-[[nodiscard]] inline Pack root(Pack a) {
+[[nodiscard]] inline Pack::Register root(Pack::Register x) {
 #ifdef __SSE2__
-    return _mm_sqrt_pd(a);
+    return _mm_sqrt_pd(x);
 #else
-    return Pack{std::sqrt(a[0]), std::sqrt(a[1])};
+    return Pack::Register{std::sqrt(x[0]), std::sqrt(x[1])};
 #endif
 }
-
-[[nodiscard]] inline double magnitude(double a) {
-    return std::abs(a);
-}
-[[nodiscard]] inline Pack magnitude(Pack a) {
-    const PackMask no_sign{INT64_MAX, INT64_MAX};
-    return reinterpret_cast<Pack>(reinterpret_cast<PackMask>(a) & no_sign);
+[[nodiscard]] inline Pack root(Pack x) {
+    return {root(x.a), root(x.b)};
 }
 
-/// `a` with the sign of `sign`.
-[[nodiscard]] inline double with_sign(double a, double sign) {
-    return std::copysign(a, sign);
+[[nodiscard]] inline double select(bool where, double x, double y) {
+    return where ? x : y;
 }
-[[nodiscard]] inline Pack with_sign(Pack a, Pack sign) {
-    const PackMask bit{INT64_MIN, INT64_MIN};
-    return reinterpret_cast<Pack>((reinterpret_cast<PackMask>(a) & ~bit) |
-                                  (reinterpret_cast<PackMask>(sign) & bit));
+[[nodiscard]] inline Pack::Register select(PackMask::Register where, Pack::Register x,
+                                           Pack::Register y) {
+    using Mask = PackMask::Register;
+    return reinterpret_cast<Pack::Register>((where & reinterpret_cast<Mask>(x)) |
+                                            (~where & reinterpret_cast<Mask>(y)));
+}
+[[nodiscard]] inline Pack select(PackMask where, Pack x, Pack y) {
+    return {select(where.a, x.a, y.a), select(where.b, x.b, y.b)};
 }
 
-[[nodiscard]] inline double select(bool where, double a, double b) {
-    return where ? a : b;
+/// `x` with the sign of `sign`.
+[[nodiscard]] inline double with_sign(double x, double sign) {
+    return std::copysign(x, sign);
 }
-[[nodiscard]] inline Pack select(PackMask where, Pack a, Pack b) {
-    return reinterpret_cast<Pack>((where & reinterpret_cast<PackMask>(a)) |
-                                  (~where & reinterpret_cast<PackMask>(b)));
+[[nodiscard]] inline Pack with_sign(Pack x, Pack sign) {
+    const PackMask::Register bit{INT64_MIN, INT64_MIN};
+    return {select(bit, sign.a, x.a), select(bit, sign.b, x.b)};
+}
+
+[[nodiscard]] inline double magnitude(double x) {
+    return std::abs(x);
+}
+[[nodiscard]] inline Pack magnitude(Pack x) {
+    return with_sign(x, Pack());
 }
 
 [[nodiscard]] inline bool any(bool where) {
     return where;
 }
 [[nodiscard]] inline bool any(PackMask where) {
+    const PackMask::Register either = where.a | where.b;
 #ifdef __SSE2__
-    return _mm_movemask_pd(reinterpret_cast<Pack>(where)) != 0;
+    return _mm_movemask_pd(reinterpret_cast<Pack::Register>(either)) != 0;
 #else
-    return (where[0] | where[1]) != 0;
+    return (either[0] | either[1]) != 0;
 #endif
 }
 

@@ -35,6 +35,44 @@ template <std::size_t D, class T>
     return sum;
 }
 
+/// (a, b) := (c a - s b, s a + c b).
+template <class T>
+inline void turn(T& a, T& b, T c, T s) {
+    const T a_old = a;
+    a = c * a_old - s * b;
+    b = s * a_old + c * b;
+}
+
+/// One Jacobi rotation of `diagonalise`, in the plane of axes I < J. Returns whether it was wanted.
+template <std::size_t I, std::size_t J, std::size_t D, class T>
+inline bool rotate(Columns<D, T>& A, Columns<D, T>& V) {
+    constexpr double u2 = 0x1p-106; // square of the unit roundoff
+    const T g = A[J][I];
+    const auto wanted = g * g > u2 * magnitude(A[I][I] * A[J][J]);
+    if (!any(wanted)) {
+        return false;
+    }
+    // tan(angle) = y / x is the smaller root of t^2 + (d/g) t - 1 = 0.
+    const T d = A[J][J] - A[I][I];
+    const T x = select(wanted, magnitude(d) + root(d * d + 4.0 * g * g), T(1));
+    const T y = select(wanted, with_sign(2.0 * g, d * g), T{});
+    const T radius = 1.0 / root(x * x + y * y);
+    const T c = x * radius;
+    const T s = y * radius;
+    const T shift = y * g / x;
+    A[I][I] = A[I][I] - shift;
+    A[J][J] = A[J][J] + shift;
+    A[J][I] = select(wanted, T{}, g);
+    if constexpr (D == 3) {
+        constexpr std::size_t K = 3 - I - J;
+        turn(A[std::max(I, K)][std::min(I, K)], A[std::max(J, K)][std::min(J, K)], c, s);
+    }
+    for (std::size_t k = 0; k < D; ++k) {
+        turn(V[I][k], V[J][k], c, s);
+    }
+    return true;
+}
+
 /// Turns the symmetric matrix `A` into a diagonal one by Jacobi rotations, A := R^T A R, and
 /// the columns of `V` along with it, V := V R. Uses and leaves the upper triangle of `A` only.
 ///
@@ -45,44 +83,13 @@ template <std::size_t D, class T>
 /// Appl. 13, 1992. Indefinite matrices converge as well. NaN in, NaN out.
 template <std::size_t D, class T>
 inline void diagonalise(Columns<D, T>& A, Columns<D, T>& V) {
-    constexpr double u2 = 0x1p-106; // square of the unit roundoff
     constexpr int most_sweeps = 40; // 3 or 4 are usual
     bool rotated = true;
     for (int sweep = 0; rotated && sweep < most_sweeps; ++sweep) {
-        rotated = false;
-        for (std::size_t i = 0; i < D - 1; ++i) {
-            for (std::size_t j = i + 1; j < D; ++j) {
-                const T g = A[j][i];
-                const auto wanted = g * g > u2 * magnitude(A[i][i] * A[j][j]);
-                if (!any(wanted)) {
-                    continue;
-                }
-                rotated = true;
-                // tan(angle) = y / x is the smaller root of t^2 + (d/g) t - 1 = 0.
-                const T d = A[j][j] - A[i][i];
-                const T x =
-                    select(wanted, magnitude(d) + root(d * d + 4.0 * g * g), constant<T>(1));
-                const T y = select(wanted, with_sign(2.0 * g, d * g), T{});
-                const T radius = 1.0 / root(x * x + y * y);
-                const T c = x * radius;
-                const T s = y * radius;
-                const T shift = y * g / x;
-                A[i][i] = A[i][i] - shift;
-                A[j][j] = A[j][j] + shift;
-                A[j][i] = select(wanted, T{}, g);
-                const auto turn = [&](T& a, T& b) {
-                    const T a_old = a;
-                    a = c * a_old - s * b;
-                    b = s * a_old + c * b;
-                };
-                if constexpr (D == 3) {
-                    const std::size_t k = 3 - i - j;
-                    turn(k < i ? A[i][k] : A[k][i], k < j ? A[j][k] : A[k][j]);
-                }
-                for (std::size_t k = 0; k < D; ++k) {
-                    turn(V[i][k], V[j][k]);
-                }
-            }
+        rotated = rotate<0, 1>(A, V);
+        if constexpr (D == 3) {
+            rotated = rotate<0, 2>(A, V) || rotated;
+            rotated = rotate<1, 2>(A, V) || rotated;
         }
     }
 }

@@ -23,22 +23,36 @@ Tensor<D> mean_root(const RootField<D>& root, const Simplex<D>& s) {
     return m;
 }
 
-/// adj(S) e and det(S).
-double apply_adjugate(const Tensor<2>& s, const Vec<2>& e, Vec<2>& out) {
-    out = {s[2] * e[0] - s[1] * e[1], s[0] * e[1] - s[1] * e[0]};
-    return s[0] * s[2] - s[1] * s[1];
+/// S^-1 = adj / det of a symmetric matrix.
+template <int D>
+struct Inverse {
+    Tensor<D> adj;
+    double det;
+};
+
+Inverse<2> invert(const Tensor<2>& s) {
+    return {{s[2], -s[1], s[0]}, s[0] * s[2] - s[1] * s[1]};
 }
 
-double apply_adjugate(const Tensor<3>& s, const Vec<3>& e, Vec<3>& out) {
-    const double xx = s[3] * s[5] - s[4] * s[4];
-    const double xy = s[2] * s[4] - s[1] * s[5];
-    const double xz = s[1] * s[4] - s[2] * s[3];
-    const double yy = s[0] * s[5] - s[2] * s[2];
-    const double yz = s[1] * s[2] - s[0] * s[4];
-    const double zz = s[0] * s[3] - s[1] * s[1];
-    out = {xx * e[0] + xy * e[1] + xz * e[2], xy * e[0] + yy * e[1] + yz * e[2],
-           xz * e[0] + yz * e[1] + zz * e[2]};
-    return s[0] * xx + s[1] * xy + s[2] * xz;
+Inverse<3> invert(const Tensor<3>& s) {
+    const Tensor<3> adj{s[3] * s[5] - s[4] * s[4], s[2] * s[4] - s[1] * s[5],
+                        s[1] * s[4] - s[2] * s[3], s[0] * s[5] - s[2] * s[2],
+                        s[1] * s[2] - s[0] * s[4], s[0] * s[3] - s[1] * s[1]};
+    return {adj, s[0] * adj[0] + s[1] * adj[1] + s[2] * adj[2]};
+}
+
+/// |a e|^2 for a symmetric matrix a.
+double squared_norm(const Tensor<2>& a, const Vec<2>& e) {
+    const double x = a[0] * e[0] + a[1] * e[1];
+    const double y = a[1] * e[0] + a[2] * e[1];
+    return x * x + y * y;
+}
+
+double squared_norm(const Tensor<3>& a, const Vec<3>& e) {
+    const double x = a[0] * e[0] + a[1] * e[1] + a[2] * e[2];
+    const double y = a[1] * e[0] + a[3] * e[1] + a[4] * e[2];
+    const double z = a[2] * e[0] + a[4] * e[1] + a[5] * e[2];
+    return x * x + y * y + z * z;
 }
 
 double edge_determinant(const std::array<Vec<2>, 3>& x) {
@@ -80,11 +94,11 @@ double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
     for (int i = 0; i <= D; ++i) {
         x[i] = mesh.point(element[i]);
     }
-    double sum = 0, det = 0;
+    const Inverse<D> inverse = invert(s);
+    const double det = inverse.det;
+    double sum = 0;
     for (const auto& [i, j] : SimplexNumbering<D>::edges) {
-        Vec<D> y;
-        det = apply_adjugate(s, x[j] - x[i], y);
-        sum += y.squaredNorm();
+        sum += squared_norm(inverse.adj, x[j] - x[i]);
     }
     // Mean square length (18), and the volume over that of the regular simplex of edge 1.
     const double h2 = sum / (det * det) / SimplexNumbering<D>::edge_count;

@@ -11,7 +11,8 @@ class Swapper {
 public:
     Swapper(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
             const SurfaceRules& surface, VerdictCounts& verdicts)
-        : mesh_(mesh), in_(input), options_(options), surface_(surface), verdicts_(verdicts) {}
+        : mesh_(mesh), in_(input), options_(options), surface_(surface), verdicts_(verdicts),
+          tried_(mesh.slot_count(), 0), quality_(mesh.slot_count(), -1) {}
 
     /// Tries the swaps at one element; true if one was made.
     bool mend(ElementId e) {
@@ -28,15 +29,47 @@ public:
         }
         verdicts_.add(best_quality_ > 0 ? Verdict::accepted : best_verdict_);
         if (best_quality_ == 0) {
+            tried_[e.index()] = 1;
             return false;
         }
         mesh_.replace(best_cavity_.elements, best_star_.elements, best_star_.sources);
+        forget();
         return true;
     }
 
-    double quality(ElementId e) const { return metric_quality(mesh_, in_.root, mesh_.nodes(e)); }
+    /// Whether the element failed before, and all around it is as it was then.
+    bool failed_before(ElementId e) const { return tried_[e.index()] != 0; }
+
+    /// Quality of an element as it stands; computed once until the element changes.
+    double quality(ElementId e) {
+        float& known = quality_[e.index()];
+        if (known < 0) {
+            known = static_cast<float>(metric_quality(mesh_, in_.root, mesh_.nodes(e)));
+        }
+        return static_cast<double>(known);
+    }
 
 private:
+    /// After a change: qualities of the new elements are not known, and what failed beside them may
+    /// succeed now.
+    void forget() {
+        tried_.resize(mesh_.slot_count(), 0);
+        quality_.resize(mesh_.slot_count(), -1);
+        for (const ElementId e : mesh_.ball(best_node_)) {
+            quality_[e.index()] = -1;
+        }
+        for (const EditElement<D>& fresh : best_star_.elements) {
+            for (const NodeId v : fresh.nodes) {
+                if (v == mesh_.ghost()) {
+                    continue;
+                }
+                for (const ElementId e : mesh_.ball(v)) {
+                    tried_[e.index()] = 0;
+                }
+            }
+        }
+    }
+
     void try_edge(NodeId a, NodeId b) {
         const bool ridge = mesh_.on_boundary(a) && mesh_.on_boundary(b) && mesh_.is_ridge(a, b);
         if (ridge || protected_inside<2>({a, b})) {
@@ -93,7 +126,6 @@ private:
     void try_stars(const std::vector<NodeId>& nodes) {
         double quality_before = 1, size_before = 1;
         int lineless_before = 0;
-        double aspect = 0;
         bool any_ghost = false;
         for (const ElementId e : cavity_.elements) {
             if (mesh_.is_ghost(e)) {
@@ -103,12 +135,6 @@ private:
             quality_before = std::min(quality_before, quality(e));
             size_before = std::min(size_before, static_cast<double>(mesh_.element(e).measure));
             lineless_before += is_lineless<D>(in_.lines, mesh_.nodes(e));
-            for (const NodeId v : mesh_.nodes(e)) {
-                aspect = std::max(aspect, static_cast<double>(in_.aspect[v]));
-            }
-        }
-        if (aspect > options_.largest_aspect && quality_before > options_.always_below) {
-            return;
         }
         const double needed = std::max(quality_before * options_.gain, best_quality_);
         for (const NodeId node : nodes) {
@@ -117,6 +143,7 @@ private:
             if (verdict == Verdict::accepted) {
                 std::swap(best_star_, star_);
                 best_cavity_ = cavity_;
+                best_node_ = node;
             } else {
                 note(verdict);
             }
@@ -245,6 +272,9 @@ private:
     std::vector<NodeId> ring_;
     double best_quality_ = 0;
     Verdict best_verdict_ = Verdict::no_improvement;
+    NodeId best_node_;
+    std::vector<std::uint8_t> tried_; ///< [slots] see failed_before
+    std::vector<float> quality_;      ///< [slots] negative while not known
 };
 
 } // namespace
@@ -282,7 +312,8 @@ void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapO
                     return;
                 }
             }
-            if (!mesh.is_free(e) && !mesh.is_ghost(e) && swapper.quality(e) < options.below) {
+            if (!mesh.is_free(e) && !mesh.is_ghost(e) && !swapper.failed_before(e) &&
+                swapper.quality(e) < options.below) {
                 made += swapper.mend(e);
             }
         }

@@ -14,8 +14,6 @@ namespace ameco {
 struct SwapOptions {
     double below = 0.6;             ///< elements of a quality below this are tried [-]
     double gain = 1.02;             ///< the worst quality must grow by this factor [-]
-    double largest_aspect = 8;      ///< swaps happen where the target's aspect ratio is below this,
-    double always_below = 0.02;     ///< or below this quality [-]
     double size_floor = 0.1;        ///< the size quality must stay above this or not fall [-]
     std::size_t largest_shell = 10; ///< elements around an edge that is swapped
     int rounds = 3;
@@ -26,12 +24,12 @@ template <int D>
 struct SwapInput {
     const SizeField<D>& sizes;
     const RootField<D>& root;
-    const IdVector<NodeId, float>& aspect;     ///< aspect ratio of the target metric
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const Lines& lines;
 };
 
-/// Swaps around elements of low quality `metric_quality`, best proposal first, round by round.
+/// Swaps around elements of low quality `metric_quality`, best proposal first, round by round. An
+/// element is tried again only after something next to it has changed.
 ///
 /// No swap may raise the number of layer elements without an edge along a line (all nodes on lines,
 /// none linked): such elements couple columns diagonally, and multigrid diverges on them.

@@ -34,8 +34,8 @@ void BoxTest::is_valid_and_fills_the_box_data() {
     QTest::addColumn<int>("diagonals");
     QTest::addColumn<double>("ratio");
     QTest::addColumn<int>("shuffle");
-    for (const auto d : {Diagonals::uniform, Diagonals::alternating, Diagonals::columns,
-                         Diagonals::random}) {
+    for (const auto d :
+         {Diagonals::uniform, Diagonals::alternating, Diagonals::columns, Diagonals::random}) {
         for (const double ratio : {1.0, 1e-3, 1e-6, 1e-9}) {
             QTest::addRow("diagonals %d, ratio %g", static_cast<int>(d), ratio)
                 << static_cast<int>(d) << ratio << (ratio < 1e-3 ? 7 : 0);

@@ -8,6 +8,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -153,7 +154,7 @@ template <int D>
     return result;
 }
 
-/// The paper's equation (5) as it stands, in doubles.
+/// The paper's equation (5) as it stands, in doubles, inverted by a stable factorisation.
 template <int D>
 [[nodiscard]] Mat<D> inverted_sum(const std::array<Vec<D>, D + 1>& points) {
     Mat<D> sum = Mat<D>::Zero();
@@ -163,7 +164,7 @@ template <int D>
             sum += x * x.transpose();
         }
     }
-    return (D + 1) / 2.0 * sum.inverse();
+    return (D + 1) / 2.0 * sum.ldlt().solve(Mat<D>::Identity());
 }
 
 /// Calls `body(x)` for every edge vector of an element.

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/acceptance/run_ameco.h"
+
+using namespace ameco::test;
+
+class CoarsenRunTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void writes_levels_that_check_valid();
+    void prints_a_row_per_level();
+    void prints_the_same_as_json();
+    void gives_the_same_bytes_for_any_number_of_threads();
+    void works_in_two_dimensions();
+    void writes_text_when_asked();
+    void copies_the_input_when_asked();
+    void freezes_patches_by_name_and_by_id();
+    void refuses_patches_that_do_not_exist();
+    void leaves_a_folder_alone_that_is_in_use();
+    void replaces_a_hierarchy_when_forced();
+    void goes_on_to_more_levels();
+    void starts_anew_from_the_first_damaged_level();
+    void resumes_only_what_was_made_alike_data();
+    void resumes_only_what_was_made_alike();
+    void says_when_a_mesh_cannot_be_coarsened();
+    void reports_progress_to_programs();
+    void keeps_what_it_has_when_the_disk_is_full();
+
+private:
+    /// All files of a hierarchy but the one with the times.
+    [[nodiscard]] QMap<QString, QByteArray> contents(const QString& folder) const;
+
+    Workspace here_;
+};
+
+QMap<QString, QByteArray> CoarsenRunTest::contents(const QString& folder) const {
+    QMap<QString, QByteArray> all;
+    for (const QString& file : here_.files(folder)) {
+        if (file != "timing.json") {
+            all[file] = here_.content(folder + "/" + file);
+        }
+    }
+    return all;
+}
+
+void CoarsenRunTest::initTestCase() {
+    QCOMPARE(
+        here_.ameco({"case", "layer", "--nx", "8", "--ny", "8", "--nz", "16", "-o", "layer.meshb"})
+            .code,
+        0);
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "all", "--levels", "3"});
+    QVERIFY2(run.code == 0, run.text());
+}
+
+void CoarsenRunTest::writes_levels_that_check_valid() {
+    QCOMPARE(broken_part_of(here_, "all"), QString());
+    const auto json =
+        nlohmann::ordered_json::parse(here_.content("all/hierarchy.json").toStdString());
+    QCOMPARE(json.at("status").get<std::string>(), std::string("complete"));
+    QCOMPARE(json.at("levels").size(), std::size_t{4});
+    for (std::size_t k = 1; k < 4; ++k) {
+        QVERIFY(json.at("levels").at(k).at("ratio").get<double>() > 1.05);
+    }
+    QCOMPARE(here_.files("all"),
+             (QStringList{"hierarchy.json", "level_1.meshb", "level_2.meshb", "level_3.meshb",
+                          "metric_0.solb", "metric_1.solb", "metric_2.solb", "metric_3.solb",
+                          "state_1.cbor", "state_2.cbor", "state_3.cbor", "timing.json"}));
+}
+
+void CoarsenRunTest::prints_a_row_per_level() {
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "rows", "--levels", "2", "-v"});
+    QCOMPARE(run.code, 0);
+    const QStringList lines = run.out.split('\n');
+    QVERIFY2(lines.at(0).startsWith("level      nodes        tets  ratio"), run.text());
+    for (int k = 0; k < 3; ++k) {
+        QVERIFY2(lines.at(1 + k).startsWith("    " + QString::number(k) + " "), run.text());
+    }
+    QVERIFY2(run.out.contains("\nnodes by aspect ratio\n"), run.text());
+    QVERIFY2(run.out.contains("\n  accepted "), run.text());
+    QVERIFY2(run.out.contains("\nrows: 2 coarser levels, grid complexity "), run.text());
+}
+
+void CoarsenRunTest::prints_the_same_as_json() {
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "json", "--json"});
+    QCOMPARE(run.code, 0);
+    const auto json = run.json();
+    QCOMPARE(json.at("hierarchy").dump(2) + "\n",
+             here_.content("json/hierarchy.json").toStdString());
+    QCOMPARE(json.at("timing").at("levels").size(), json.at("hierarchy").at("levels").size());
+}
+
+void CoarsenRunTest::gives_the_same_bytes_for_any_number_of_threads() {
+    for (const char* threads : {"1", "2", "5"}) {
+        const QString folder = QString("threads_") + threads;
+        QCOMPARE(here_
+                     .ameco({"coarsen", "layer.meshb", "-o", folder, "--levels", "3", "--threads",
+                             threads})
+                     .code,
+                 0);
+        QVERIFY2(contents(folder) == contents("all"), threads);
+    }
+}
+
+void CoarsenRunTest::works_in_two_dimensions() {
+    QCOMPARE(here_.ameco({"case", "model-layer", "-o", "flat.mesh"}).code, 0);
+    const Run run = here_.ameco({"coarsen", "flat.mesh", "-o", "flat", "--levels", "2"});
+    QVERIFY2(run.code == 0, run.text());
+    QVERIFY2(run.out.contains("triangles"), run.text());
+    QCOMPARE(broken_part_of(here_, "flat"), QString());
+}
+
+void CoarsenRunTest::writes_text_when_asked() {
+    QCOMPARE(
+        here_.ameco({"coarsen", "layer.meshb", "-o", "text", "--format", "mesh", "-n", "1"}).code,
+        0);
+    QVERIFY(here_.content("text/level_1.mesh").startsWith("MeshVersionFormatted"));
+    QVERIFY(here_.content("text/metric_1.sol").startsWith("MeshVersionFormatted"));
+    QCOMPARE(here_.ameco({"convert", "text/level_1.mesh", "level_1.meshb"}).code, 0);
+    QCOMPARE(here_.content("level_1.meshb"), here_.content("all/level_1.meshb"));
+}
+
+void CoarsenRunTest::copies_the_input_when_asked() {
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "copy", "--copy-input", "-n", "1"}).code,
+             0);
+    QCOMPARE(here_.content("copy/level_0.meshb"), here_.content("layer.meshb"));
+    // The folder is complete: it can be moved.
+    QVERIFY(QDir().rename(here_.path("copy"), here_.path("moved")));
+    QCOMPARE(broken_part_of(here_, "moved"), QString());
+}
+
+void CoarsenRunTest::freezes_patches_by_name_and_by_id() {
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "6", "-o", "cube.meshb"}).code, 0);
+    const auto faces = [this](const QString& mesh, std::size_t patch) {
+        const auto info = here_.ameco({"info", mesh, "--json"}).json().at(0);
+        return info.at("patches").at(patch).at("faces").get<int>();
+    };
+    QCOMPARE(
+        here_.ameco({"coarsen", "cube.meshb", "-o", "named", "-n", "1", "--freeze", "bottom"}).code,
+        0);
+    QCOMPARE(
+        here_.ameco({"coarsen", "cube.meshb", "-o", "numbered", "-n", "1", "--freeze", "1"}).code,
+        0);
+    QCOMPARE(contents("named"), contents("numbered"));
+    QCOMPARE(faces("named/level_1.meshb", 0), faces("cube.meshb", 0));
+    QVERIFY(faces("named/level_1.meshb", 1) < faces("cube.meshb", 1));
+}
+
+void CoarsenRunTest::refuses_patches_that_do_not_exist() {
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "none", "--freeze", "no-such"});
+    QCOMPARE(run.code, 2);
+    QVERIFY2(run.err.startsWith("ameco: --freeze no-such: the mesh has no such patch"), run.text());
+    QVERIFY(!QFile::exists(here_.path("none")));
+}
+
+void CoarsenRunTest::leaves_a_folder_alone_that_is_in_use() {
+    const auto before = contents("all");
+    const Run again = here_.ameco({"coarsen", "layer.meshb", "-o", "all"});
+    QCOMPARE(again.code, 2);
+    QVERIFY2(again.err.contains("--resume") && again.err.contains("--force"), again.text());
+    QVERIFY(contents("all") == before);
+    QDir().mkpath(here_.path("mine"));
+    here_.write("mine/notes.txt", "mine");
+    const Run mine = here_.ameco({"coarsen", "layer.meshb", "-o", "mine"});
+    QCOMPARE(mine.code, 2);
+    QCOMPARE(here_.files("mine"), QStringList{"notes.txt"});
+}
+
+void CoarsenRunTest::replaces_a_hierarchy_when_forced() {
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "old", "-n", "3"}).code, 0);
+    here_.write("old/notes.txt", "mine");
+    QCOMPARE(
+        here_.ameco({"coarsen", "layer.meshb", "-o", "old", "-n", "1", "--slack", "1", "--force"})
+            .code,
+        0);
+    QVERIFY(!QFile::exists(here_.path("old/level_3.meshb")));
+    QCOMPARE(here_.content("old/notes.txt"), QByteArray("mine"));
+    QCOMPARE(broken_part_of(here_, "old"), QString());
+}
+
+void CoarsenRunTest::goes_on_to_more_levels() {
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "more", "-n", "1"}).code, 0);
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "more", "-n", "3", "--resume"});
+    QVERIFY2(run.code == 0, run.text());
+    QVERIFY(contents("more") == contents("all"));
+    // Nothing is left to do, and nothing changes.
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "more", "-n", "3", "--resume"}).code, 0);
+    QVERIFY(contents("more") == contents("all"));
+}
+
+void CoarsenRunTest::starts_anew_from_the_first_damaged_level() {
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "hurt", "-n", "3"}).code, 0);
+    here_.write("hurt/level_2.meshb", "cut");
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "hurt", "-n", "3", "--resume"}).code, 0);
+    QVERIFY(contents("hurt") == contents("all"));
+}
+
+void CoarsenRunTest::resumes_only_what_was_made_alike_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("complaint");
+    QTest::newRow("settings") << QStringList{"layer.meshb", "--factor", "3"}
+                              << "other settings (factor)";
+    QTest::newRow("mesh") << QStringList{"other.meshb"} << "another mesh";
+}
+
+void CoarsenRunTest::resumes_only_what_was_made_alike() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, complaint);
+    QCOMPARE(here_.ameco({"case", "cube", "-o", "other.meshb", "--n", "3"}).code, 0);
+    const auto before = contents("all");
+    const Run run = here_.ameco(QStringList{"coarsen", "-o", "all", "--resume"} + arguments);
+    QVERIFY2(run.code == 2 && run.err.contains(complaint), run.text());
+    QVERIFY(contents("all") == before);
+}
+
+void CoarsenRunTest::says_when_a_mesh_cannot_be_coarsened() {
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "1", "-o", "corners.meshb"}).code, 0);
+    const Run none = here_.ameco({"coarsen", "corners.meshb", "-o", "corners"});
+    QVERIFY2(none.code == 3, none.text());
+    QVERIFY2(none.err.contains("level 1 would have kept 8 of 8 nodes"), none.text());
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "4", "-o", "small.meshb"}).code, 0);
+    const Run some = here_.ameco({"coarsen", "small.meshb", "-o", "small", "-n", "50"});
+    QVERIFY2(some.code == 0, some.text());
+    QVERIFY2(some.err.contains("the mesh cannot be coarsened further"), some.text());
+    QCOMPARE(broken_part_of(here_, "small"), QString());
+}
+
+void CoarsenRunTest::reports_progress_to_programs() {
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "progress", "--progress", "json"});
+    QCOMPARE(run.code, 0);
+    double last = 0;
+    int lines = 0;
+    for (const QString& line : run.err.split('\n', Qt::SkipEmptyParts)) {
+        const auto json = nlohmann::json::parse(line.toStdString());
+        const double progress = json.at("progress").get<double>();
+        QVERIFY2(progress >= last && progress <= 1, run.text());
+        last = progress;
+        ++lines;
+    }
+    QVERIFY(lines > 0);
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "quiet", "-q"}).err, QString());
+}
+
+void CoarsenRunTest::keeps_what_it_has_when_the_disk_is_full() {
+    // A level 1 of about 80 kB may be written, the metric of level 0 (200 kB) may not: then a limit
+    // in between ends the run at a known place.
+    const auto size = QFile(here_.path("all/metric_0.solb")).size();
+    const QString limit = QString::number(size / 512 / 2);
+    const Run run = here_.shell("trap '' XFSZ; ulimit -f " + limit +
+                                "; exec \"$AMECO\" coarsen layer.meshb -o full");
+    QVERIFY2(run.code == 4 && run.err.startsWith("ameco: full/"), run.text());
+    QCOMPARE(broken_part_of(here_, "full"), QString());
+    const Run resumed =
+        here_.ameco({"coarsen", "layer.meshb", "-o", "full", "-n", "3", "--resume"});
+    QVERIFY2(resumed.code == 0, resumed.text());
+    QVERIFY(contents("full") == contents("all"));
+}
+
+QTEST_GUILESS_MAIN(CoarsenRunTest)
+#include "coarsen_run_test.moc"

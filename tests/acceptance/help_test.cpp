@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/acceptance/run_ameco.h"
+
+#include <QRegularExpression>
+
+using namespace ameco::test;
+
+class HelpTest : public QObject {
+    Q_OBJECT
+private slots:
+    void is_printed_when_nothing_is_asked_for();
+    void begins_with_examples_data();
+    void begins_with_examples();
+    void fits_a_narrow_terminal_data();
+    void fits_a_narrow_terminal();
+    void tells_the_version();
+    void explains_wrong_usage_in_one_line_data();
+    void explains_wrong_usage_in_one_line();
+    void takes_common_options_before_and_after_the_command();
+    void uses_no_colour_outside_a_terminal();
+    /// docs/user/cli.md holds the help texts; AMECO_UPDATE_DOCS=1 writes it anew.
+    void is_the_same_in_the_manual();
+};
+
+namespace {
+
+const QStringList commands{"info", "check", "metric", "coarsen", "convert", "case"};
+
+void add_command_rows() {
+    QTest::addColumn<QString>("command");
+    for (const QString& command : commands) {
+        QTest::newRow(qPrintable(command)) << command;
+    }
+}
+
+} // namespace
+
+void HelpTest::is_printed_when_nothing_is_asked_for() {
+    const Run run = Workspace().ameco({});
+    QCOMPARE(run.code, 0);
+    QCOMPARE(run.err, QString());
+    for (const QString& command : commands) {
+        QVERIFY2(run.out.contains("\n  " + command + " "), run.text());
+    }
+    QCOMPARE(Workspace().ameco({"--help"}).out, run.out);
+}
+
+void HelpTest::begins_with_examples_data() {
+    add_command_rows();
+}
+
+void HelpTest::begins_with_examples() {
+    QFETCH(QString, command);
+    const Run run = Workspace().ameco({command, "-h"});
+    QCOMPARE(run.code, 0);
+    QCOMPARE(run.err, QString());
+    const auto examples = run.out.indexOf("\nExamples:\n  ameco " + command);
+    QVERIFY2(examples > 0 && examples < run.out.indexOf("\nUsage:\n"), run.text());
+    QVERIFY2(run.out.contains("\n      --json "), run.text());
+}
+
+void HelpTest::fits_a_narrow_terminal_data() {
+    add_command_rows();
+}
+
+void HelpTest::fits_a_narrow_terminal() {
+    QFETCH(QString, command);
+    for (const QString& line : Workspace().ameco({command, "-h"}).out.split('\n')) {
+        QVERIFY2(line.size() <= 81, qPrintable(line));
+    }
+}
+
+void HelpTest::tells_the_version() {
+    const Run run = Workspace().ameco({"--version"});
+    QCOMPARE(run.code, 0);
+    QVERIFY2(QRegularExpression("^ameco \\d+\\.\\d+\\.\\d+\\n$").match(run.out).hasMatch(),
+             run.text());
+}
+
+void HelpTest::explains_wrong_usage_in_one_line_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("complaint");
+    const auto row = [](const char* what, const QStringList& arguments, const char* complaint) {
+        QTest::newRow(what) << arguments << complaint;
+    };
+    row("command", {"corsen", "a.mesh", "-o", "b"},
+        "unknown command corsen, did you mean coarsen? (see ameco --help)");
+    row("strange command", {"frobnicate"}, "unknown command frobnicate (see ameco --help)");
+    row("a file as command", {"/etc/hostname"}, "/etc/hostname is a file, not a command: try");
+    row("option", {"coarsen", "a.mesh", "-o", "b", "--levles", "3"},
+        "unknown option --levles, did you mean --levels? (see ameco coarsen --help)");
+    row("option with =", {"info", "a.mesh", "--thread=3"}, "did you mean --threads?");
+    row("option before what is missing", {"coarsen", "--levles"}, "did you mean --levels?");
+    row("missing argument", {"coarsen"}, "is missing (see ameco coarsen --help)");
+    row("missing output", {"metric", "a.mesh"}, "--output is missing");
+    row("too many", {"check", "a.mesh", "b.mesh"}, "one argument too many: b.mesh");
+    row("not a number", {"coarsen", "a.mesh", "-o", "b", "--levels", "x"},
+        "--levels: x is not a whole number from 1 to 100");
+    row("factor", {"coarsen", "a.mesh", "-o", "b", "--factor", "1"},
+        "--factor: 1 is not a number greater than 1");
+    row("slack", {"coarsen", "a.mesh", "-o", "b", "--slack", "0.5"}, "--slack: 0.5 is not");
+    row("threads", {"info", "a.mesh", "--threads", "-1"}, "--threads: -1 is not");
+    row("mean", {"metric", "a.mesh", "-o", "b.solb", "--mean", "log-euclid"},
+        "did you mean log-euclidean?");
+    row("case", {"case", "bxo", "-o", "a.mesh"}, "unknown case bxo, did you mean box?");
+    row("no case", {"case"}, "which case?");
+    row("parameter", {"case", "cube", "-o", "a.mesh", "--sed", "1"}, "did you mean --seed?");
+    row("parameter's value", {"case", "cube", "-o", "a.mesh", "--n", "0"}, "n");
+    row("suffix", {"case", "cube", "-o", "a.stl"}, "a.stl: its name must end in .meshb or .mesh");
+}
+
+void HelpTest::explains_wrong_usage_in_one_line() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, complaint);
+    const Run run = Workspace().ameco(arguments);
+    QCOMPARE(run.code, 2);
+    QCOMPARE(run.out, QString());
+    QVERIFY2(run.err.startsWith("ameco: ") && run.err.count('\n') == 1, run.text());
+    QVERIFY2(run.err.contains(complaint), run.text());
+}
+
+void HelpTest::takes_common_options_before_and_after_the_command() {
+    const Workspace here;
+    QCOMPARE(here.ameco({"case", "cube", "--n", "1", "-o", "a.meshb"}).code, 0);
+    const Run before = here.ameco({"--json", "info", "a.meshb"});
+    const Run after = here.ameco({"info", "a.meshb", "--json"});
+    QCOMPARE(before.code, 0);
+    QCOMPARE(before.out, after.out);
+    QVERIFY(before.json().is_array());
+}
+
+void HelpTest::uses_no_colour_outside_a_terminal() {
+    const Run run = Workspace().ameco({"info", "absent.mesh"});
+    QVERIFY2(!run.err.contains('\033'), run.text());
+}
+
+void HelpTest::is_the_same_in_the_manual() {
+    const Workspace here;
+    QString manual = "# The command line\n\n"
+                     "This page is written by `tests/acceptance/help_test.cpp` from the program's "
+                     "own help.\n\n"
+                     "Results go to standard output, everything else to standard error. `--json` "
+                     "gives the same\nresults for programs. On a terminal a line shows progress; "
+                     "elsewhere a line is printed every 10 %.\nThe first Ctrl-C asks a run to "
+                     "stop at the next safe place, the second one stops it at once.\nMessages are "
+                     "coloured on a terminal unless `NO_COLOR` is set. No input file is ever "
+                     "overwritten,\nand an output file appears whole or not at all.\n\n"
+                     "## Exit codes\n\n"
+                     "| code | meaning |\n|---|---|\n"
+                     "| 0 | done |\n"
+                     "| 1 | a bug of ours: please report it |\n"
+                     "| 2 | wrong usage: the message says what and where to look |\n"
+                     "| 3 | a check failed: not a valid mesh (`check`), nothing could be coarsened "
+                     "(`coarsen`) |\n"
+                     "| 4 | a file cannot be read or written |\n"
+                     "| 5 | a file was read, but what it holds is not a usable mesh or metric |\n"
+                     "| 6 | stopped early; the levels that were finished are kept |\n"
+                     "| 7 | not enough memory |\n"
+                     "| 8 | the feature was left out of this build |\n"
+                     "| 130 | stopped before there was a result |\n";
+    manual += "\n## ameco\n\n```\n" + here.ameco({}).out + "```\n";
+    for (const QString& command : commands) {
+        manual += "\n## ameco " + command + "\n\n```\n" + here.ameco({command, "-h"}).out + "```\n";
+    }
+    const QString path = QString(AMECO_SOURCE_DIR) + "/docs/user/cli.md";
+    if (qEnvironmentVariableIsSet("AMECO_UPDATE_DOCS")) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(manual.toUtf8());
+        return;
+    }
+    QVERIFY2(QString::fromUtf8(content_of(path)) == manual,
+             "docs/user/cli.md is out of date: run this test with AMECO_UPDATE_DOCS=1");
+}
+
+QTEST_GUILESS_MAIN(HelpTest)
+#include "help_test.moc"

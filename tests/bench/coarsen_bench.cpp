@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// What the coarsener reaches, beside the ideal or the paper, and what it costs.
+///
+///     coarsen_bench box layers m6 scaling      the parts wanted; all but the last without
+///     arguments
+#include "core/base/parallel.h"
+#include "core/cases/box.h"
+#include "core/cases/layer.h"
+#include "core/cases/onera_m6.h"
+#include "core/coarsen/coarsen.h"
+#include "core/metric/aspect_ratio.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <ctime>
+#include <string>
+
+using namespace ameco;
+
+namespace {
+
+double cpu_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double peak_gib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024 / 1024;
+}
+
+double ratio(const CoarsenReport& r) {
+    return static_cast<double>(r.nodes_before) / static_cast<double>(r.nodes_after);
+}
+
+template <int D>
+void box_row(double dz, Diagonals diagonals) {
+    BoxOptions box;
+    box.ratio = dz;
+    box.diagonals = diagonals;
+    CoarsenReport report;
+    (void)coarsen(finest_level(make_box<D>(box), {}), {}, report);
+    std::printf("%d-D  %8.0e  %-12s %3lld -> %lld\n", D, dz,
+                diagonals == Diagonals::uniform ? "uniform" : "alternating",
+                static_cast<long long>(report.nodes_before),
+                static_cast<long long>(report.nodes_after));
+}
+
+void boxes() {
+    std::printf("Box of section 5.1 (paper: 27 -> 18)\n      dz/dx     diagonals    nodes\n");
+    for (const double dz : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        for (const Diagonals diagonals : {Diagonals::uniform, Diagonals::alternating}) {
+            box_row<3>(dz, diagonals);
+            box_row<2>(dz, diagonals);
+        }
+    }
+}
+
+/// Nodes of the same case with every 2^k-th layer: what an ideal semi-coarsening leaves.
+template <int D>
+std::size_t ideal_nodes(LayerOptions layer, int k) {
+    layer.every = 1 << k;
+    return make_layer<D>(layer).points.size();
+}
+
+template <int D>
+void layer_rows(const LayerOptions& layer) {
+    const int per_layer = (layer.nx + 1) * (D == 3 ? layer.ny + 1 : 1);
+    Level<D> level = finest_level(make_layer<D>(layer), {});
+    std::vector<NodeId> finest;
+    for (const NodeId v : level.mesh.points.ids()) {
+        finest.push_back(v);
+    }
+    for (int k = 1; k <= 5; ++k) {
+        CoarsenReport report;
+        level = coarsen(level, {}, report);
+        std::vector<NodeId> ids;
+        std::int64_t wrong = 0;
+        for (const NodeId parent : level.parent) {
+            ids.push_back(finest[parent.index()]);
+            wrong += (ids.back().value() / per_layer) % (1 << k) != 0;
+        }
+        finest = std::move(ids);
+        const double ideal = static_cast<double>(ideal_nodes<D>(layer, k - 1)) /
+                             static_cast<double>(ideal_nodes<D>(layer, k));
+        std::printf("%d-D  %7.0e  %6.2f   %5d  %8lld  %6.3f  %6.3f  %9.2f %%  %6.3f\n", D,
+                    layer.aspect_ratio, layer.growth, k, static_cast<long long>(report.nodes_after),
+                    ratio(report), ideal,
+                    100 * static_cast<double>(wrong) / static_cast<double>(finest.size()),
+                    static_cast<double>(report.nodes_after) / report.predicted_nodes);
+    }
+}
+
+void layers() {
+    std::printf("\nLayers of 24 x 24 x 32 cells (2-D: 96 x 32), columns displaced by 20 %%; ideal: "
+                "every other layer\n"
+                "          AR   growth   level     nodes   ratio   ideal  wrong layer  reached\n");
+    for (const double aspect : {1e2, 1e4, 1e5, 1e6}) {
+        for (const double growth : {1.0, 1.2}) {
+            LayerOptions layer;
+            layer.aspect_ratio = aspect;
+            layer.growth = growth;
+            layer_rows<3>(layer);
+            layer.nx = 96;
+            layer_rows<2>(layer);
+        }
+    }
+}
+
+void print_classes(const std::vector<AspectRatioClasses>& levels) {
+    std::printf("\nPer cent of nodes by aspect ratio (figure 11)\n");
+    for (std::size_t c = 0; c < levels[0].counts.size(); ++c) {
+        std::printf("  %8.1f - %8.1f ", levels[0].lower(c), levels[0].upper(c));
+        for (const AspectRatioClasses& level : levels) {
+            std::int64_t total = 0;
+            for (const std::int64_t n : level.counts) {
+                total += n;
+            }
+            std::printf(" %6.2f",
+                        100 * static_cast<double>(level.counts[c]) / static_cast<double>(total));
+        }
+        std::printf("\n");
+    }
+}
+
+OneraM6Options preset(const std::string& name) {
+    for (const OneraM6Preset& p : onera_m6_presets()) {
+        if (p.name == name) {
+            return p.options;
+        }
+    }
+    return {};
+}
+
+void wing() {
+    const double paper[4] = {2.19, 1.99, 1.77, 1.63};
+    Level<3> level = finest_level(make_onera_m6(preset("m6-67k")), {});
+    std::vector<AspectRatioClasses> classes{classify_aspect_ratios(level.natural)};
+    std::printf("\nONERA M6, %zu nodes\n"
+                "level    nodes   ratio  paper  reached  in band  own  worst Q  volume\n",
+                level.mesh.points.size());
+    for (int k = 1; k <= 4; ++k) {
+        CoarsenReport r;
+        level = coarsen(level, {}, r);
+        classes.push_back(classify_aspect_ratios(level.natural, classes[0].max));
+        std::printf("%5d %8lld  %6.3f  %5.2f  %7.3f  %5.1f %%  %4.1f  %7.1e  %.3f\n", k,
+                    static_cast<long long>(r.nodes_after), ratio(r), paper[k - 1],
+                    static_cast<double>(r.nodes_after) / r.predicted_nodes,
+                    100 * r.conformity.in_band, 100 * r.conformity_before.in_band,
+                    r.conformity.worst_quality, r.check.volume);
+    }
+    print_classes(classes);
+}
+
+void scaling() {
+    std::printf(
+        "\nCost of a level on one thread [s], and per node [us]\n"
+        "mesh     level      nodes ->     after  ratio  metric  order  first  later   swap  "
+        "check   total  us/node  first pass removed/s  peak GiB\n");
+    for (const std::string name : {"m6-67k", "m6-500k", "m6-2m"}) {
+        Level<3> level = finest_level(make_onera_m6(preset(name)), {});
+        for (int k = 1; k <= 4; ++k) {
+            CoarsenReport r;
+            const double begin = cpu_seconds();
+            level = coarsen(level, {}, r);
+            const double cpu = cpu_seconds() - begin;
+            const PhaseSeconds& t = r.seconds;
+            std::printf("%-8s %5d %10lld -> %9lld  %5.3f  %6.2f %6.2f %6.2f %6.2f %6.2f  %5.2f  "
+                        "%6.2f  %7.2f  %20.0f  %8.2f\n",
+                        name.c_str(), k, static_cast<long long>(r.nodes_before),
+                        static_cast<long long>(r.nodes_after), ratio(r), t.metric, t.order,
+                        t.first_pass, t.remove, t.swap, t.check, cpu,
+                        1e6 * cpu / static_cast<double>(r.nodes_before),
+                        static_cast<double>(r.removed_in_first_pass) / t.first_pass, peak_gib());
+            std::fflush(stdout);
+        }
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    set_thread_count(1);
+    const auto wanted = [&](const std::string& part) {
+        for (int i = 1; i < argc; ++i) {
+            if (part == argv[i]) {
+                return true;
+            }
+        }
+        return argc == 1 && part != "scaling";
+    };
+    if (wanted("box")) {
+        boxes();
+    }
+    if (wanted("layers")) {
+        layers();
+    }
+    if (wanted("m6")) {
+        wing();
+    }
+    if (wanted("scaling")) {
+        scaling();
+    }
+    return 0;
+}

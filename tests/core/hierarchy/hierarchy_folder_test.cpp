@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/hierarchy/hierarchy_folder.h"
+
+#include "core/base/error.h"
+#include "core/io/io.h"
+#include "tests/core/hierarchy/hierarchy_support.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ameco;
+using namespace ameco::test;
+namespace fs = std::filesystem;
+
+class HierarchyFolderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void lists_files_that_are_there_and_whole();
+    void refers_to_the_input_or_copies_it_data();
+    void refers_to_the_input_or_copies_it();
+    void gives_back_a_level_as_it_was_made();
+    void notices_changed_and_missing_files();
+    void removes_the_files_of_an_older_hierarchy_and_no_others();
+    void writes_text_when_asked();
+    void knows_its_files_by_name();
+    void refuses_a_file_in_place_of_the_folder();
+
+private:
+    /// Makes a hierarchy of two coarser levels in the folder `out`.
+    void make(bool copy = false, const std::string& suffix = ".meshb");
+    [[nodiscard]] fs::path operator/(const std::string& name) const {
+        return fs::path(temporary_->path().toStdString()) / name;
+    }
+
+    std::unique_ptr<QTemporaryDir> temporary_;
+    Collected<3> made_;
+};
+
+void HierarchyFolderTest::init() {
+    temporary_ = std::make_unique<QTemporaryDir>();
+    write_mesh(*this / "cube.meshb", small_mesh<3>());
+}
+
+void HierarchyFolderTest::make(bool copy, const std::string& suffix) {
+    made_ = {};
+    Hierarchy start;
+    start.options.levels = 2;
+    start.mesh_suffix = suffix;
+    start.input.copied = copy;
+    HierarchyFolder folder(*this / "out", *this / "cube.meshb", start);
+    const LevelSink<3> collect = made_.sink();
+    const auto end = build_hierarchy<3>(
+        small_mesh<3>(), start.options,
+        [&](const Level<3>& level, const LevelStatistics& s, const LevelTiming& t) {
+            folder.add_level(level, s, t);
+            collect(level, s, t);
+            // At this moment the program may be killed.
+            const Hierarchy listed = read_hierarchy(*this / "out");
+            QCOMPARE(listed.status, HierarchyStatus::in_progress);
+            QCOMPARE(intact_levels(*this / "out", listed), s.level + 1);
+        });
+    folder.finish(end.status);
+}
+
+void HierarchyFolderTest::lists_files_that_are_there_and_whole() {
+    make();
+    const Hierarchy h = read_hierarchy(*this / "out");
+    QCOMPARE(h.status, HierarchyStatus::complete);
+    QCOMPARE(h.levels.size(), std::size_t{3});
+    QCOMPARE(intact_levels(*this / "out", h), 3);
+    QCOMPARE(h.levels[2].mesh.name, std::string("level_2.meshb"));
+    QCOMPARE(h.levels[2].metric.name, std::string("metric_2.solb"));
+    QCOMPARE(read_timing(*this / "out").size(), std::size_t{3});
+    QCOMPARE(contents_of(*this / "out").size(), std::size_t{2 + 2 + 3 + 2});
+}
+
+void HierarchyFolderTest::refers_to_the_input_or_copies_it_data() {
+    QTest::addColumn<bool>("copy");
+    QTest::addColumn<QString>("file");
+    QTest::newRow("refers") << false << "../cube.meshb";
+    QTest::newRow("copies") << true << "level_0.meshb";
+}
+
+void HierarchyFolderTest::refers_to_the_input_or_copies_it() {
+    QFETCH(bool, copy);
+    QFETCH(QString, file);
+    make(copy);
+    const Hierarchy h = read_hierarchy(*this / "out");
+    QCOMPARE(QString::fromStdString(h.levels[0].mesh.name), file);
+    QCOMPARE(content_of(*this / "out" / h.levels[0].mesh.name), content_of(*this / "cube.meshb"));
+    QVERIFY(read_level_mesh<3>(*this / "out", h, 0) == made_.levels[0].mesh);
+}
+
+void HierarchyFolderTest::gives_back_a_level_as_it_was_made() {
+    for (const std::string suffix : {".meshb", ".mesh"}) {
+        make(false, suffix);
+        const Level<3> read = read_level<3>(*this / "out", read_hierarchy(*this / "out"), 2);
+        const Level<3>& made = made_.levels[2];
+        QVERIFY(read.mesh == made.mesh);
+        QVERIFY(read.natural == made.natural);
+        QVERIFY(read.parent == made.parent);
+        QVERIFY(read.geometry.node == made.geometry.node);
+    }
+}
+
+void HierarchyFolderTest::notices_changed_and_missing_files() {
+    make();
+    const Hierarchy h = read_hierarchy(*this / "out");
+    std::ofstream(*this / "out" / "metric_2.solb", std::ios::app) << "x";
+    QCOMPARE(intact_levels(*this / "out", h), 2);
+    fs::remove(*this / "out" / "level_1.meshb");
+    QCOMPARE(intact_levels(*this / "out", h), 1);
+    std::ofstream(*this / "cube.meshb", std::ios::app) << "x";
+    QCOMPARE(intact_levels(*this / "out", h), 0);
+}
+
+void HierarchyFolderTest::removes_the_files_of_an_older_hierarchy_and_no_others() {
+    make();
+    for (const char* name : {"level_9.mesh", "P_1.mtx", ".level_3.meshb.123-4.tmp", "notes.txt"}) {
+        std::ofstream(*this / "out" / name) << "x";
+    }
+    const HierarchyFolder folder(*this / "out", *this / "cube.meshb", {});
+    std::vector<std::string> names;
+    for (const auto& entry : contents_of(*this / "out")) {
+        names.push_back(entry.first);
+    }
+    QCOMPARE(names, (std::vector<std::string>{"hierarchy.json", "notes.txt", "timing.json"}));
+    QVERIFY(read_hierarchy(*this / "out").levels.empty());
+}
+
+void HierarchyFolderTest::writes_text_when_asked() {
+    make(false, ".mesh");
+    QVERIFY(content_of(*this / "out" / "level_1.mesh").starts_with("MeshVersionFormatted"));
+    QVERIFY(content_of(*this / "out" / "metric_1.sol").starts_with("MeshVersionFormatted"));
+}
+
+void HierarchyFolderTest::knows_its_files_by_name() {
+    for (const char* name :
+         {"hierarchy.json", "timing.json", "level_0.mesh.gz", "level_12.meshb", "metric_3.sol",
+          "state_1.cbor", "P_2.mtx", ".hierarchy.json.77-0.tmp"}) {
+        QVERIFY2(is_hierarchy_file(name), name);
+    }
+    for (const char* name : {"level.meshb", "level_x.meshb", "my_level_1.meshb", "levels_1.meshb",
+                             "level_1", "wing.meshb", ""}) {
+        QVERIFY2(!is_hierarchy_file(name), name);
+    }
+}
+
+void HierarchyFolderTest::refuses_a_file_in_place_of_the_folder() {
+    QVERIFY_EXCEPTION_THROWN(
+        HierarchyFolder(*this / "cube.meshb", *this / "cube.meshb", Hierarchy()), FileError);
+}
+
+QTEST_APPLESS_MAIN(HierarchyFolderTest)
+#include "hierarchy_folder_test.moc"
