@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// Makes a hierarchy and prints how well multigrid converges on it:
+///
+///     multigrid_bench CASE [name=value ...] [levels=5] [dirichlet=1,2] [worst=5] [full=1]
+///     multigrid_bench mesh=FILE [levels=5] ...
+///
+/// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
+/// adds smoothers, W-cycles and convection. coupling-bound=0.8, strong-share=0.5 and dominance=2
+/// change the rules of the coarsening.
+#include "core/cases/cases.h"
+#include "core/coarsen/coarsen.h"
+#include "core/io/io.h"
+#include "core/mesh/boundary.h"
+#include "core/multigrid/study.h"
+
+#include <chrono>
+#include <cstdio>
+#include <sstream>
+
+using namespace ameco;
+
+namespace {
+
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+template <int D>
+struct Grids {
+    std::vector<Mesh<D>> meshes;
+    std::vector<Transfer> transfers;
+    std::vector<LevelStructure> structures;
+};
+
+long long whole(std::int64_t value) {
+    return value;
+}
+
+template <int D>
+std::string place(const Vec<D>& x) {
+    char text[128];
+    if constexpr (D == 3) {
+        std::snprintf(text, sizeof text, "(%.6g %.6g %.6g)", x[0], x[1], x[2]);
+    } else {
+        std::snprintf(text, sizeof text, "(%.6g %.6g)", x[0], x[1]);
+    }
+    return text;
+}
+
+template <int D>
+Grids<D> make_grids(Mesh<D> mesh, int levels, const CoarsenOptions& options) {
+    Grids<D> grids;
+    Stopwatch watch;
+    Level<D> fine = finest_level(std::move(mesh), options);
+    for (int k = 1; k <= levels; ++k) {
+        CoarsenReport report;
+        watch.lap();
+        Level<D> coarse = coarsen(fine, options, report);
+        const double coarsen_seconds = watch.lap();
+        grids.transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
+        const double locate_seconds = watch.lap();
+        const TransferCheck c = check(grids.transfers.back(), fine.mesh, coarse.mesh);
+        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, line nodes %lld; coarsen %.2f s, "
+                    "locate %.2f s; projected %lld (farthest %.2g), linear error %.1e%s%s\n",
+                    k, whole(report.nodes_before), whole(report.nodes_after),
+                    static_cast<double>(report.nodes_before) /
+                        static_cast<double>(report.nodes_after),
+                    whole(report.line_nodes), coarsen_seconds, locate_seconds, whole(c.projected),
+                    c.largest_projection, c.linear_error,
+                    c.passed() ? "" : "; TRANSFER CHECK FAILED: ", c.failures().c_str());
+        std::fflush(stdout);
+        grids.meshes.push_back(std::move(fine.mesh));
+        grids.structures.push_back(level_structure(grids.meshes.back()));
+        fine = std::move(coarse);
+    }
+    grids.meshes.push_back(std::move(fine.mesh));
+    grids.structures.push_back(level_structure(grids.meshes.back()));
+    return grids;
+}
+
+template <int D>
+void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::size_t k) {
+    const auto& unknowns = equations.unknowns[k + 1];
+    Vector ratios(static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        ratios[static_cast<Eigen::Index>(i)] = equations.ratios[k][unknowns[i]];
+    }
+    const auto v = pair_invariants(g.meshes[k], g.structures[k], g.meshes[k + 1],
+                                   g.structures[k + 1], g.transfers[k], ratios, unknowns);
+    std::printf("    %zu-%zu  gaps %lld (%lld at ends, longest %.0f at %s), three kept in a row "
+                "%lld, lineless "
+                "%lld (%.4f %%), FF %.2f at %s (%lld above 0.8), G/A %.2f at %s (%lld above 2)\n",
+                k, k + 1, whole(v.gaps), whole(v.gaps_at_ends), v.longest_gap.value,
+                place<D>(v.longest_gap.point).c_str(), whole(v.stuck), whole(v.lineless_elements),
+                100 * v.lineless_share, v.ff.value, place<D>(v.ff.point).c_str(),
+                whole(v.ff_exceeded), v.galerkin_ratio.value,
+                place<D>(v.galerkin_ratio.point).c_str(), whole(v.galerkin_exceeded));
+}
+
+template <int D>
+void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t k,
+                 const ConvergenceFactor& slow, int count) {
+    const Vector diagonal = equations.matrices.A[k].diagonal();
+    const auto mode = examine_error(g.meshes[k], g.structures[k], g.transfers[k], slow.slowest,
+                                    diagonal, equations.unknowns[k], equations.ratios[k], count);
+    std::printf("         slowest error: %lld nodes carry 90 %%\n", whole(mode.carriers));
+    for (const auto& n : mode.worst) {
+        std::printf("         node %d %s %.1f %% %s%s: gap %d, FF %.2f, interpolated coupling "
+                    "%.2f (largest weight %.2f), G/A %.2f: %s\n",
+                    n.node.value(), place<D>(n.point).c_str(), 100 * n.share,
+                    n.kept ? "kept" : "removed", n.on_line ? ", on a line" : "", n.gap,
+                    n.removed_coupling, n.interpolated_coupling, n.largest_weight, n.galerkin_ratio,
+                    n.findings.c_str());
+    }
+}
+
+template <int D>
+void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) {
+    std::printf("  invariants, and two-grid factors (rediscretised, exact coarse solve)\n");
+    for (std::size_t k = 0; k + 1 < g.meshes.size(); ++k) {
+        print_invariants(g, equations, k);
+        const Solver coarse = exact_solver(equations, k + 1);
+        CycleOptions options;
+        options.smoother.kind = SmootherKind::gauss_seidel;
+        const double gs = two_grid(equations, k, options, coarse).value;
+        options.smoother.kind = SmootherKind::jacobi;
+        const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
+        std::printf("         two-grid Jacobi(1,1) %.3f, GS(1,1) %.3f\n", jacobi.value, gs);
+        if (worst > 0 && jacobi.value > 0.115 && jacobi.slowest.size() > 0) {
+            print_worst(g, equations, k, jacobi, worst);
+        }
+        std::fflush(stdout);
+    }
+}
+
+void print_cycle(const LevelEquations& equations, const Vector& load, const CycleOptions& options,
+                 CoarseOperator kind) {
+    const CycleStudy s = study_cycle(equations, options, load);
+    std::printf("  %-13s %-12s %s(%d,%d)  factor %.3f, %s %2d (f = 1), %2d (random f), operator "
+                "complexity %.2f, work %.1f a cycle, set-up %.2f s, solve %.2f s\n",
+                std::string(name(kind)).c_str(), std::string(name(options.smoother.kind)).c_str(),
+                options.gamma == 1 ? "V" : "W", options.before, options.after, s.factor,
+                equations.symmetric ? "CG" : "GMRES", s.krylov.iterations, s.random_iterations,
+                equations.operator_complexity, s.work_per_cycle, s.setup_seconds, s.solve_seconds);
+    std::fflush(stdout);
+}
+
+template <int D>
+void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) {
+    for (const CoarseOperator kind :
+         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+        LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
+        for (std::size_t k = 0; k < g.meshes.size(); ++k) {
+            equations.matrices.lines.push_back(
+                unknown_lines(g.structures[k].lines, equations.unknowns[k]));
+        }
+        const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+        for (const SmootherKind smoother : {SmootherKind::gauss_seidel, SmootherKind::jacobi,
+                                            SmootherKind::chebyshev, SmootherKind::line}) {
+            for (const int gamma : {1, 2}) {
+                for (const int steps : {1, 2}) {
+                    CycleOptions options{{smoother}, steps, steps, gamma};
+                    if (full || (smoother == SmootherKind::gauss_seidel && gamma == 1)) {
+                        print_cycle(equations, load, options, kind);
+                    }
+                }
+            }
+        }
+    }
+}
+
+template <int D>
+void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem, int worst, bool full,
+         const CoarsenOptions& coarsening) {
+    const Grids<D> g = make_grids(std::move(mesh), levels, coarsening);
+    {
+        const LevelEquations equations =
+            level_equations(g.meshes, g.transfers, problem, CoarseOperator::rediscretised);
+        std::printf("  grid complexity %.2f\n", equations.grid_complexity);
+        print_pairs(g, equations, worst);
+    }
+    print_cycles(g, problem, full);
+    if (full) {
+        std::printf("  convection-diffusion, velocity (50, 0 ...)\n");
+        ModelProblem<D> convection = problem;
+        convection.velocity[0] = 50;
+        print_cycles(g, convection, false);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::map<std::string, std::string> parameters;
+    std::string name, file;
+    int levels = 5, worst = 5;
+    bool full = false;
+    std::vector<int> dirichlet;
+    CoarsenOptions coarsening;
+    for (int i = 1; i < argc; ++i) {
+        const std::string arg = argv[i];
+        const auto eq = arg.find('=');
+        const std::string key = arg.substr(0, eq);
+        const std::string value = eq == std::string::npos ? "" : arg.substr(eq + 1);
+        if (eq == std::string::npos) {
+            name = arg;
+        } else if (key == "mesh") {
+            file = value;
+        } else if (key == "levels") {
+            levels = std::stoi(value);
+        } else if (key == "worst") {
+            worst = std::stoi(value);
+        } else if (key == "full") {
+            full = value != "0";
+        } else if (key == "coupling-bound") {
+            coarsening.removal.coupling_bound = std::stod(value);
+        } else if (key == "strong-share") {
+            coarsening.removal.strong_share = std::stod(value);
+        } else if (key == "dominance") {
+            coarsening.lines.dominance = std::stod(value);
+        } else if (key == "dirichlet") {
+            std::stringstream list(value);
+            for (std::string item; std::getline(list, item, ',');) {
+                dirichlet.push_back(std::stoi(item));
+            }
+        } else {
+            parameters[key] = value;
+        }
+    }
+    try {
+        auto mesh = file.empty() ? make_case(name, parameters) : read_mesh(file).mesh;
+        std::visit(
+            [&]<int D>(Mesh<D>& m) {
+                complete_boundary(m);
+                ModelProblem<D> problem;
+                problem.dirichlet_patches = dirichlet;
+                run(std::move(m), levels, problem, worst, full, coarsening);
+            },
+            mesh);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "multigrid_bench: %s\n", e.what());
+        return 1;
+    }
+    return 0;
+}
