@@ -17,7 +17,8 @@ struct TargetOptions {
 ///     h_0 := C h_1;   h_k := max(h_k, min(C h_k, s h_{k-1})),  k = 1 ... D, in this order
 ///
 /// (s multiplies h_{k-1} for k >= 2 only, so that h_1 grows by C). Where the sizes are equal all
-/// of them double; where h_1 is much smaller than the others only h_1 does. With s > 1, nodes whose
+/// of them double; where h_1 is much smaller than the others only h_1 does, but for a size equal to
+/// the one before it, which may grow by s. With s > 1, nodes whose
 /// aspect ratio is a little above 1 - the corrected mean overstates it in unstructured isotropic
 /// regions - are still coarsened in all directions. Directions stay.
 /// \see docs/theory/coarsening.md; paper, Algorithm 1
