@@ -112,7 +112,7 @@ public:
 
     ExitCode run(Session& session) override {
         require_usable_folder();
-        options_.coarsen.mean = mean_from_name(mean_);
+        options_.coarsen.mean = chosen_mean(mean_);
         ReadyMesh input =
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
         return std::visit(

@@ -75,7 +75,7 @@ private:
             throw InputError(mesh_ + ": not a valid mesh: " + report.summary());
         }
         MonitorPart part(session.monitor, 0.1, 0.9);
-        MetricField<D> field = nodal_metric(mesh, mean_from_name(mean_), part);
+        MetricField<D> field = nodal_metric(mesh, chosen_mean(mean_), part);
         MetricSummary s;
         s.dimension = D;
         s.nodes = static_cast<std::int64_t>(mesh.points.size());

@@ -36,8 +36,6 @@ CLI::Validator finite_number(std::function<bool(double)> accepts, const std::str
     });
 }
 
-constexpr std::array means{Mean::corrected, Mean::interpolation, Mean::log_euclidean};
-
 } // namespace
 
 CLI::Validator whole_number(long low, long high) {
@@ -77,25 +75,24 @@ CLI::Validator one_of(std::vector<std::string> words) {
 
 CLI::Option* add_mean_option(CLI::App& app, std::string& mean) {
     std::vector<std::string> names;
-    for (const Mean m : means) {
+    std::string list;
+    for (const Mean m : all_means) {
         names.emplace_back(name(m));
+        list += (list.empty() ? "" : ", ") + names.back();
     }
     return app
-        .add_option("--mean", mean,
-                    "how the metrics of the elements at a node become one: corrected, "
-                    "interpolation, log-euclidean")
+        .add_option("--mean", mean, "how the metrics of the elements at a node become one: " + list)
         ->type_name("NAME")
         ->check(one_of(names))
         ->capture_default_str();
 }
 
-Mean mean_from_name(const std::string& text) {
-    const auto* const found =
-        std::find_if(means.begin(), means.end(), [&](Mean m) { return name(m) == text; });
-    if (found == means.end()) {
+Mean chosen_mean(const std::string& text) {
+    const std::optional<Mean> mean = mean_from_name(text);
+    if (!mean) {
         throw UsageError("--mean " + text + ": not a mean");
     }
-    return *found;
+    return *mean;
 }
 
 CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target) {

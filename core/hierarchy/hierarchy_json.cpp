@@ -33,11 +33,9 @@ Json settings_json(const Hierarchy& h) {
             {"mesh_suffix", h.mesh_suffix}};
 }
 
-Mean mean_from_name(const std::string& text) {
-    for (const Mean mean : {Mean::corrected, Mean::interpolation, Mean::log_euclidean}) {
-        if (name(mean) == text) {
-            return mean;
-        }
+Mean read_mean(const std::string& text) {
+    if (const std::optional<Mean> mean = mean_from_name(text)) {
+        return *mean;
     }
     throw InputError("unknown mean \"" + text + "\"");
 }
@@ -46,7 +44,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     CoarsenOptions& o = h.options.coarsen;
     json.at("levels").get_to(h.options.levels);
     json.at("min_ratio").get_to(h.options.min_ratio);
-    o.mean = mean_from_name(json.at("mean").get<std::string>());
+    o.mean = read_mean(json.at("mean").get<std::string>());
     json.at("factor").get_to(o.target.factor);
     json.at("slack").get_to(o.target.slack);
     json.at("surface_deviation").get_to(o.removal.surface.relative_distance);
