@@ -10,10 +10,10 @@ namespace ameco {
 template <int D>
 Vec<D> coarsened_sizes(const Vec<D>& sizes, const TargetOptions& options) {
     Vec<D> h = sizes;
-    double bound = options.factor * h[0]; // h_0, then s h_{k-1}
+    double bound = options.factor * h[0];
     for (int k = 0; k < D; ++k) {
         h[k] = std::max(h[k], std::min(options.factor * h[k], bound));
-        bound = options.slack * h[k];
+        bound = h[k] * std::min(options.slack, h[k] / sizes[k]);
     }
     return h;
 }

@@ -14,13 +14,14 @@ struct TargetOptions {
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.
 ///
-///     h_0 := C h_1;   h_k := max(h_k, min(C h_k, s h_{k-1})),  k = 1 ... D, in this order
+///     h'_0 := C h_1;   h'_k := max(h_k, min(C h_k, s_{k-1} h'_{k-1})),  k = 1 ... D, in this order
+///     s_0 = 1,   s_k = min(s, h'_k / h_k)
 ///
-/// (s multiplies h_{k-1} for k >= 2 only, so that h_1 grows by C). Where the sizes are equal all
-/// of them double; where h_1 is much smaller than the others only h_1 does, but for a size equal to
-/// the one before it, which may grow by s. With s > 1, nodes whose
-/// aspect ratio is a little above 1 - the corrected mean overstates it in unstructured isotropic
-/// regions - are still coarsened in all directions. Directions stay.
+/// Where the sizes are equal all of them double; where h_1 is much smaller than the others only h_1
+/// does. With a slack s > 1, nodes whose aspect ratio is a little above 1 - the corrected mean
+/// overstates it in unstructured isotropic regions - are still coarsened in all directions. A size
+/// may pass the one before it only as far as that one has grown: in a layer with sizes 1e-6, 1, 1
+/// the second does not grow, and so the third does not either. Directions stay.
 /// \see docs/theory/coarsening.md; paper, Algorithm 1
 template <int D>
 [[nodiscard]] Vec<D> coarsened_sizes(const Vec<D>& sizes, const TargetOptions& options);

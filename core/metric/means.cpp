@@ -15,6 +15,8 @@ std::string_view name(Mean mean) {
     switch (mean) {
     case Mean::corrected:
         return "corrected";
+    case Mean::blended:
+        return "blended";
     case Mean::interpolation:
         return "interpolation";
     case Mean::log_euclidean:

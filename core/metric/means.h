@@ -15,14 +15,16 @@ namespace ameco {
 /// How the metrics of the elements around a node become one.
 enum class Mean {
     corrected,          ///< (9)-(10): directions of (8), sizes the mean of the sorted sizes
+    blended,            ///< (10), but sizes near each other are drawn together as (8) has them
     interpolation,      ///< (8): mean of M^-1/2
     log_euclidean,      ///< proposition 4: exponential of the mean of the logarithms
     geodesic,           ///< (11): smallest sum of squared invariant distances
     geodesic_fixed_step ///< the same by Algorithm 3 as printed, which may not converge
 };
 
-inline constexpr std::array all_means{Mean::corrected, Mean::interpolation, Mean::log_euclidean,
-                                      Mean::geodesic, Mean::geodesic_fixed_step};
+inline constexpr std::array all_means{Mean::corrected,     Mean::blended,
+                                      Mean::interpolation, Mean::log_euclidean,
+                                      Mean::geodesic,      Mean::geodesic_fixed_step};
 
 [[nodiscard]] std::string_view name(Mean mean);
 [[nodiscard]] std::optional<Mean> mean_from_name(std::string_view name);

@@ -47,6 +47,9 @@ void TargetMetricTest::follows_algorithm_1_data() {
     row("slack: nearly isotropic by C", {1, 1.2, 1.4}, 2, 1.42, {2, 2.4, 2.8});
     row("slack: the bound is the updated size", {1, 1.5, 2.5}, 2, 1.25, {2, 2.5, 3.125});
     row("slack does not help the smallest", {1e-6, 1e-3, 1}, 2, 1.42, {2e-6, 1e-3, 1});
+    row("slack: no growth beside a size that stays", {1e-6, 1, 1}, 2, 1.42, {2e-6, 1, 1});
+    row("slack: little growth beside one that grows little", {1, 1.9, 1.9}, 2, 1.05,
+        {2, 2.1, 2.205});
     row("C = 1 changes nothing", {1, 2, 3}, 1, 1, {1, 2, 3});
 }
 

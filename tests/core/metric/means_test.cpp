@@ -44,6 +44,10 @@ private slots:
     void of_a_node_are_those_of_its_elements();
     void are_valid_for_any_valid_metrics_data();
     void are_valid_for_any_valid_metrics();
+    void blended_is_the_corrected_mean_in_layers_data();
+    void blended_is_the_corrected_mean_in_layers();
+    void blended_sees_that_elements_at_random_have_no_direction();
+    void blended_sizes_lie_between_the_two_means();
     void say_which_node_does_not_converge();
 };
 
@@ -58,8 +62,8 @@ void MeansTest::agree_with_fifty_digits_data() {
     QTest::addColumn<int>("mean");
     QTest::addColumn<double>("ratio");
     for (const Mean mean : all_means) {
-        if (!comes_from_sums(mean)) {
-            continue; // geodesic_mean_test
+        if (!comes_from_sums(mean) || mean == Mean::blended) {
+            continue; // geodesic_mean_test; of blended, both ingredients are tested
         }
         for (const double ratio : {1.0, 1e2, 1e4, 1e6}) {
             QTest::addRow("%s, aspect ratio %g", name(mean).data(), ratio)
@@ -114,6 +118,59 @@ void MeansTest::are_valid_for_any_valid_metrics() {
         const Metric<3> found = mean_of<3>(metrics, static_cast<Mean>(mean));
         QVERIFY(is_valid<3>(found));
         QVERIFY(std::is_sorted(found.sizes.begin(), found.sizes.end()));
+    }
+}
+
+void MeansTest::blended_is_the_corrected_mean_in_layers_data() {
+    QTest::addColumn<double>("ratio");
+    for (const double ratio : {10.0, 1e3, 1e6}) {
+        QTest::addRow("aspect ratio %g", ratio) << ratio;
+    }
+}
+
+void MeansTest::blended_is_the_corrected_mean_in_layers() {
+    // The fan's height, whatever the turn; (8) swells it.
+    QFETCH(const double, ratio);
+    std::mt19937 random(5);
+    for (const double angle : {0.0, 0.1, 0.5}) {
+        const std::vector<Metric<3>> metrics = reference::fan<3>(random, ratio, angle);
+        const Vec<3> corrected = mean_of<3>(metrics, Mean::corrected).sizes;
+        QCOMPARE(mean_of<3>(metrics, Mean::blended).sizes[0], corrected[0]);
+    }
+    // A needle: both small sizes.
+    std::vector<Metric<3>> needles;
+    for (Metric<3> needle : reference::fan<3>(random, 1, 0.5)) {
+        needle.sizes = Vec<3>(1 / ratio, 1.1 / ratio, 2);
+        needles.push_back(needle);
+    }
+    const Vec<3> sizes = mean_of<3>(needles, Mean::blended).sizes;
+    QCOMPARE_LE(sizes[1], 1.1 / ratio * (1 + 1e-12));
+}
+
+void MeansTest::blended_sees_that_elements_at_random_have_no_direction() {
+    std::mt19937 random(6);
+    std::vector<Metric<3>> metrics(24);
+    for (Metric<3>& metric : metrics) {
+        metric.sizes = Vec<3>(0.7, 1, 1.4);
+        metric.directions = reference::random_rotation<3>(random);
+    }
+    QCOMPARE_GT(aspect_ratio(mean_of<3>(metrics, Mean::corrected)), 1.99);
+    QCOMPARE_LT(aspect_ratio(mean_of<3>(metrics, Mean::interpolation)), 1.3);
+    QCOMPARE_LT(aspect_ratio(mean_of<3>(metrics, Mean::blended)), 1.4);
+}
+
+void MeansTest::blended_sizes_lie_between_the_two_means() {
+    std::mt19937 random(7);
+    for (int n = 0; n < 200; ++n) {
+        const auto metrics = reference::fan<3>(random, std::pow(10, 0.01 * n), 0.01 * n);
+        const Vec<3> corrected = mean_of<3>(metrics, Mean::corrected).sizes;
+        const Vec<3> own = mean_of<3>(metrics, Mean::interpolation).sizes;
+        const Vec<3> blended = mean_of<3>(metrics, Mean::blended).sizes;
+        QVERIFY(std::is_sorted(blended.begin(), blended.end()));
+        for (int k = 0; k < 3; ++k) {
+            QCOMPARE_GE(blended[k], std::min(corrected[k], own[k]) * (1 - 1e-12));
+            QCOMPARE_LE(blended[k], std::max(corrected[k], own[k]) * (1 + 1e-12));
+        }
     }
 }
 
