@@ -132,7 +132,7 @@ private:
             ->check(greater_than(1))
             ->capture_default_str()
             ->group(group);
-        add_slack_option(app, coarsen.target)->group(group);
+        add_target_options(app, coarsen.target, group);
         add_mean_option(app, mean_)->group(group);
         app.add_option("--surface-deviation", coarsen.removal.surface.relative_distance,
                        "how far the boundary may move, over the local size of the surface mesh")

@@ -56,7 +56,7 @@ public:
                        "greater than 1 [off]")
             ->type_name("C")
             ->check(greater_than(1));
-        add_slack_option(app, target_);
+        add_target_options(app, target_, "Options");
         coarsen_ = app.get_option("--coarsen");
         compare_ = app.add_option("--compare", node_,
                                   "compare all means at this node of the mesh file, counted from "
@@ -200,7 +200,7 @@ private:
         s.complexity = complexity(mesh, field);
         s.predicted_nodes = static_cast<double>(s.nodes);
         if (coarsen_->count() > 0) {
-            field = target_metric(field, target_);
+            field = target_metric(mesh, field, target_);
             const double coarse = complexity(mesh, field);
             s.predicted_nodes *= coarse / s.complexity;
             s.complexity = coarse;

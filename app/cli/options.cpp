@@ -95,14 +95,37 @@ Mean chosen_mean(const std::string& text) {
     return *mean;
 }
 
-CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target) {
-    return app
-        .add_option("--slack", target.slack,
-                    "how far a size may pass the next smaller one, at least 1 (the paper has 1; "
-                    "more coarsens nearly isotropic regions fully)")
+void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group) {
+    app.add_option("--slack", target.slack,
+                   "how far a size may pass the next smaller one, at least 1 (the paper has 1; "
+                   "more coarsens nearly isotropic regions fully)")
         ->type_name("S")
         ->check(number_within(1, HUGE_VAL))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(group);
+    std::vector<std::string> names;
+    std::string list;
+    for (const TargetAlgorithm algorithm : all_target_algorithms) {
+        names.emplace_back(name(algorithm));
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    app.add_option_function<std::string>(
+           "--algorithm",
+           [&target](const std::string& text) {
+               target.algorithm = target_algorithm_from_name(text).value_or(target.algorithm);
+           },
+           "whether sizes take notice of those beside them: " + list)
+        ->type_name("NAME")
+        ->check(one_of(names))
+        ->default_str(std::string(name(target.algorithm)))
+        ->group(group);
+    app.add_option("--gradation", target.gradation,
+                   "with --algorithm graded: most growth of the coarse sizes over one fine edge, "
+                   "greater than 1")
+        ->type_name("BETA")
+        ->check(greater_than(1))
+        ->capture_default_str()
+        ->group(group);
 }
 
 } // namespace ameco::cli

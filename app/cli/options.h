@@ -27,6 +27,8 @@ namespace ameco::cli {
 CLI::Option* add_mean_option(CLI::App& app, std::string& mean);
 [[nodiscard]] Mean chosen_mean(const std::string& text);
 
-CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target);
+/// Adds what decides the metric of the next level, but for the factor: `--slack`, `--algorithm`,
+/// `--gradation`.
+void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group);
 
 } // namespace ameco::cli

@@ -26,6 +26,8 @@ Json settings_json(const Hierarchy& h) {
             {"mean", name(o.mean)},
             {"factor", o.target.factor},
             {"slack", o.target.slack},
+            {"algorithm", name(o.target.algorithm)},
+            {"gradation", o.target.gradation},
             {"surface_deviation", o.removal.surface.relative_distance},
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
@@ -40,6 +42,13 @@ Mean read_mean(const std::string& text) {
     throw InputError("unknown mean \"" + text + "\"");
 }
 
+TargetAlgorithm read_algorithm(const std::string& text) {
+    if (const std::optional<TargetAlgorithm> algorithm = target_algorithm_from_name(text)) {
+        return *algorithm;
+    }
+    throw InputError("unknown algorithm \"" + text + "\"");
+}
+
 void read_settings(const Json& json, Hierarchy& h) {
     CoarsenOptions& o = h.options.coarsen;
     json.at("levels").get_to(h.options.levels);
@@ -47,6 +56,8 @@ void read_settings(const Json& json, Hierarchy& h) {
     o.mean = read_mean(json.at("mean").get<std::string>());
     json.at("factor").get_to(o.target.factor);
     json.at("slack").get_to(o.target.slack);
+    o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());
+    json.at("gradation").get_to(o.target.gradation);
     json.at("surface_deviation").get_to(o.removal.surface.relative_distance);
     json.at("ridge_angle_deg").get_to(o.features.ridge_angle_deg);
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);
