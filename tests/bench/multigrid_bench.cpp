@@ -6,7 +6,7 @@
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
 /// adds smoothers, W-cycles and convection. coupling-bound=0.8, strong-share=0.5 and dominance=2
-/// change the rules of the coarsening.
+/// change the rules of the coarsening, mean=blended and slack=1.05 its metric.
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
@@ -271,6 +271,10 @@ int main(int argc, char** argv) {
             coarsening.removal.coupling_bound = std::stod(value);
         } else if (key == "strong-share") {
             coarsening.removal.strong_share = std::stod(value);
+        } else if (key == "slack") {
+            coarsening.target.slack = std::stod(value);
+        } else if (key == "mean") {
+            coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
         } else if (key == "dominance") {
             coarsening.lines.dominance = std::stod(value);
         } else if (key == "kbound") {
