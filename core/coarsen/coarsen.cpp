@@ -83,9 +83,10 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     set_size_qualities(mesh, data.sizes);
-    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
-                                data.natural,     data.target,    data.short_size};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines};
+    RemovedNodes<D> removed(data.couplings, options.removal.interpolation_bound);
+    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes, data.natural,
+                                data.target,      data.short_size, removed};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = 1;
