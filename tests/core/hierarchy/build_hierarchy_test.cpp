@@ -116,11 +116,15 @@ void BuildHierarchyTest::takes_a_factor_per_level() {
 void BuildHierarchyTest::keeps_to_a_ratio() {
     HierarchyOptions options;
     options.levels = 2;
-    options.target_ratio = 2;
-    Collected<3> made;
-    build_hierarchy(small_mesh<3>(), options, made.sink());
+    options.target_ratio = 1.8;
+    Collected<2> made;
+    build_hierarchy(
+        std::get<Mesh<2>>(make_case(
+            "layer",
+            {{"dim", "2"}, {"nx", "32"}, {"nz", "24"}, {"growth", "1.3"}, {"aspect-ratio", "50"}})),
+        options, made.sink());
     QCOMPARE(made.statistics.size(), std::size_t{3});
-    QVERIFY2(std::abs(made.statistics[1].ratio / 2 - 1) <= 0.05,
+    QVERIFY2(std::abs(made.statistics[1].ratio / 1.8 - 1) <= 0.05,
              qPrintable(QString::number(made.statistics[1].ratio)));
     QVERIFY(made.statistics[1].factor != 2);
 }
