@@ -60,6 +60,8 @@ bool is_empty_folder(const fs::path& folder) {
     return !failure && entries == fs::directory_iterator();
 }
 
+constexpr int most_levels = 100;
+
 class CoarsenCommand : public Command {
 public:
     [[nodiscard]] CommandHelp help() const override {
@@ -70,6 +72,8 @@ public:
             {{"coarsen wing.meshb -o levels", "four coarser levels, in the folder levels"},
              {"coarsen wing.meshb -o levels --levels 6 --resume",
               "go on from what is there already"},
+             {"coarsen wing.meshb -o levels --target-ratio 2 --until-isotropic",
+              "half the nodes each time, until nothing is stretched any more"},
              {"coarsen wing.meshb -o levels --freeze wing tip", "leave two patches as they are"},
              {"coarsen wing.meshb -o levels --slack 1 --surface-deviation 0.01",
               "the paper's sizes, and stay closer to the surface"}},
@@ -90,10 +94,13 @@ public:
         app.add_option("-o,--output", folder_, "folder for the levels; made if absent")
             ->type_name("DIR")
             ->required();
-        app.add_option("-n,--levels", options_.levels, "coarser levels to make, at most")
-            ->type_name("N")
-            ->check(whole_number(1, 100))
-            ->capture_default_str();
+        levels_ = app.add_option("-n,--levels", options_.levels, "coarser levels to make, at most")
+                      ->type_name("N")
+                      ->check(whole_number(1, most_levels))
+                      ->capture_default_str();
+        app.add_flag("--until-isotropic", options_.until_isotropic,
+                     "end with the first level that has 95 % of its nodes below an aspect ratio of "
+                     "5; as many levels as that takes, or as --levels allows");
         app.add_option("--format", format_, "format of the levels: meshb (binary) or mesh (text)")
             ->type_name("NAME")
             ->check(one_of({"meshb", "mesh"}))
@@ -112,6 +119,10 @@ public:
 
     ExitCode run(Session& session) override {
         require_usable_folder();
+        set_factors();
+        if (options_.until_isotropic && levels_->count() == 0) {
+            options_.levels = most_levels;
+        }
         options_.coarsen.mean = chosen_mean(mean_);
         ReadyMesh input =
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
@@ -126,11 +137,23 @@ public:
 private:
     void add_coarsening_options(CLI::App& app, CoarsenOptions& coarsen) {
         constexpr const char* group = "Coarsening";
-        app.add_option("--factor", coarsen.target.factor,
-                       "coarse size over fine size, greater than 1")
-            ->type_name("C")
+        CLI::Option* factor =
+            app.add_option(
+                   "--factor", factors_,
+                   "coarse size over fine size, greater than 1; a list, like 2,2,4, has one "
+                   "per level, its last one for all further levels")
+                ->type_name("C[,C...]")
+                ->delimiter(',')
+                ->expected(1)
+                ->check(greater_than(1))
+                ->default_str(number_text(coarsen.target.factor))
+                ->group(group);
+        app.add_option("--target-ratio", options_.target_ratio,
+                       "choose the factor of each level so that it has R times fewer nodes; takes "
+                       "up to five times as long [off]")
+            ->type_name("R")
             ->check(greater_than(1))
-            ->capture_default_str()
+            ->excludes(factor)
             ->group(group);
         add_target_options(app, coarsen.target, group);
         add_mean_option(app, mean_)->group(group);
@@ -150,6 +173,15 @@ private:
                        "patches to leave untouched, by id or name (ameco info lists them)")
             ->type_name("PATCH...")
             ->group(group);
+    }
+
+    void set_factors() {
+        if (!factors_.empty()) {
+            options_.coarsen.target.factor = factors_.front();
+        }
+        if (factors_.size() > 1) {
+            options_.factors = factors_;
+        }
     }
 
     /// Before the mesh is read, which may take long.
@@ -259,7 +291,7 @@ private:
         }
         mesh = Mesh<D>();
         const int last = static_cast<int>(kept.levels.size()) - 1;
-        if (last >= options_.levels) {
+        if (last >= options_.levels || is_isotropic_end(kept.levels.back().statistics, options_)) {
             return {};
         }
         return extend_hierarchy(read_level<D>(folder_, kept, last), last,
@@ -334,6 +366,8 @@ private:
     std::string mesh_;
     std::string folder_;
     HierarchyOptions options_;
+    std::vector<double> factors_;
+    CLI::Option* levels_ = nullptr;
     std::string mean_ = std::string(name(Mean::corrected));
     std::string format_ = "meshb";
     std::vector<std::string> freeze_;

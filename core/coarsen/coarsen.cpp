@@ -162,6 +162,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     report = {};
     Stopwatch watch;
     const MetricField<D> target = target_metric(fine.mesh, fine.natural, options.target);
+    report.factor = options.target.factor;
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     report.predicted_nodes = static_cast<double>(report.nodes_before) *

@@ -41,6 +41,7 @@ struct PhaseSeconds {
 struct CoarsenReport {
     std::int64_t nodes_before = 0, nodes_after = 0;
     std::int64_t elements_before = 0, elements_after = 0;
+    double factor = 0; ///< coarse size over fine size that was asked for
     double predicted_nodes =
         0; ///< nodes_before times the quotient of expected_nodes, target over natural
     VerdictCounts removal, swaps;

@@ -2,8 +2,10 @@
 #include "core/hierarchy/build_hierarchy.h"
 
 #include "core/base/error.h"
+#include "core/coarsen/target_ratio.h"
 #include "core/metric/complexity.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -86,6 +88,7 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
                                const CoarsenReport& report) {
     LevelStatistics s = measure(level, number, max_aspect_ratio);
     s.ratio = static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after);
+    s.factor = report.factor;
     s.predicted_nodes = report.predicted_nodes;
     // Elements per node hardly change between levels, so they are predicted to fall alike.
     s.predicted_elements = static_cast<double>(report.elements_before) * report.predicted_nodes /
@@ -103,13 +106,27 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
 }
 
 template <int D>
+Level<D> next_level(const Level<D>& fine, int number, const HierarchyOptions& options,
+                    CoarsenReport& report, Monitor& monitor) {
+    if (options.target_ratio > 0) {
+        return coarsen_by_ratio(fine, options.coarsen, options.target_ratio, report, monitor);
+    }
+    CoarsenOptions coarsening = options.coarsen;
+    if (!options.factors.empty()) {
+        const auto level = static_cast<std::size_t>(number) - 1;
+        coarsening.target.factor = options.factors[std::min(level, options.factors.size() - 1)];
+    }
+    return coarsen(fine, coarsening, report, monitor);
+}
+
+template <int D>
 HierarchyEnd extend(Level<D> last, int number, double max_aspect_ratio, int first,
                     const HierarchyOptions& options, const LevelSink<D>& sink, Monitor& monitor) {
     for (int k = number + 1; k <= options.levels; ++k) {
         LevelMonitor part(monitor, share_before(k, first, options.levels),
                           share_before(k + 1, first, options.levels), k);
         CoarsenReport report;
-        Level<D> coarse = coarsen(last, options.coarsen, report, part);
+        Level<D> coarse = next_level(last, k, options, report, part);
         if (static_cast<double>(report.nodes_before) <
             options.min_ratio * static_cast<double>(report.nodes_after)) {
             return {HierarchyStatus::exhausted, std::move(report)};
@@ -122,6 +139,9 @@ HierarchyEnd extend(Level<D> last, int number, double max_aspect_ratio, int firs
         timing.statistics = watch.seconds();
         timing.peak_memory = peak_memory();
         sink(coarse, statistics, timing);
+        if (is_isotropic_end(statistics, options)) {
+            break;
+        }
         last = std::move(coarse);
     }
     return {};
@@ -143,6 +163,9 @@ HierarchyEnd build_hierarchy(Mesh<D> mesh, const HierarchyOptions& options,
         timing.statistics = watch.seconds();
         timing.peak_memory = peak_memory();
         sink(finest, statistics, timing);
+        if (is_isotropic_end(statistics, options)) {
+            return {};
+        }
         return extend(std::move(finest), 0, statistics.classes.max, 0, options, sink, monitor);
     } catch (const Cancelled&) {
         return {HierarchyStatus::cancelled, std::nullopt};

@@ -31,6 +31,10 @@ std::string_view name(HierarchyStatus status) {
     return "unknown";
 }
 
+bool is_isotropic_end(const LevelStatistics& level, const HierarchyOptions& options) {
+    return options.until_isotropic && level.aspect_ratio.share_isotropic >= isotropic_share;
+}
+
 double grid_complexity(const Hierarchy& hierarchy) {
     return sum_over_finest(hierarchy, &LevelStatistics::nodes);
 }

@@ -27,10 +27,19 @@ enum class HierarchyStatus {
 struct HierarchyOptions {
     CoarsenOptions coarsen;
     int levels = 4; ///< coarse levels to make, >= 1
+    /// Factors of the levels 1, 2, ...; the last one is that of all further levels. Empty: that of
+    /// `coarsen.target`.
+    std::vector<double> factors;
+    double target_ratio = 0; ///< nodes of a level over those of the next, > 1; 0: as factors make it
+    /// Ends the hierarchy at the first level with 95 % of its nodes below an aspect ratio of 5.
+    bool until_isotropic = false;
     /// A level whose number of nodes falls by less than this ratio is not worth a level: it is
     /// thrown away and the hierarchy ends.
     double min_ratio = 1.05;
 };
+
+/// Share of nodes below an aspect ratio of 5 from which on a level counts as isotropic.
+inline constexpr double isotropic_share = 0.95;
 
 /// What was measured on one level. The same for every run and any number of threads.
 struct LevelStatistics {
@@ -38,6 +47,7 @@ struct LevelStatistics {
     std::int64_t nodes = 0;
     std::int64_t elements = 0;
     std::int64_t faces = 0;
+    double factor = 1;          ///< coarse size over fine size that was asked for
     double ratio = 1;           ///< nodes of the finer level over nodes of this one
     double predicted_nodes = 0; ///< what the metric asked for; level 0: its own number
     double predicted_elements = 0;
@@ -97,6 +107,9 @@ struct Hierarchy {
     HierarchyInput input;
     std::vector<HierarchyLevel> levels; ///< levels[0] is the finest
 };
+
+/// Whether no level is wanted after this one, since it is isotropic.
+[[nodiscard]] bool is_isotropic_end(const LevelStatistics& level, const HierarchyOptions& options);
 
 /// Sum of the nodes of all levels over those of level 0 [-]: what a multigrid cycle stores.
 [[nodiscard]] double grid_complexity(const Hierarchy& hierarchy);

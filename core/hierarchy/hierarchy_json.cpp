@@ -25,6 +25,9 @@ Json settings_json(const Hierarchy& h) {
             {"min_ratio", h.options.min_ratio},
             {"mean", name(o.mean)},
             {"factor", o.target.factor},
+            {"factors", h.options.factors},
+            {"target_ratio", h.options.target_ratio},
+            {"until_isotropic", h.options.until_isotropic},
             {"slack", o.target.slack},
             {"algorithm", name(o.target.algorithm)},
             {"gradation", o.target.gradation},
@@ -55,6 +58,9 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("min_ratio").get_to(h.options.min_ratio);
     o.mean = read_mean(json.at("mean").get<std::string>());
     json.at("factor").get_to(o.target.factor);
+    json.at("factors").get_to(h.options.factors);
+    json.at("target_ratio").get_to(h.options.target_ratio);
+    json.at("until_isotropic").get_to(h.options.until_isotropic);
     json.at("slack").get_to(o.target.slack);
     o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());
     json.at("gradation").get_to(o.target.gradation);

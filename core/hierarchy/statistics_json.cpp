@@ -113,6 +113,7 @@ Json to_json(const LevelStatistics& s) {
         {"nodes", s.nodes},
         {"elements", s.elements},
         {"boundary_faces", s.faces},
+        {"factor", s.factor},
         {"ratio", s.ratio},
         {"predicted_nodes", s.predicted_nodes},
         {"predicted_elements", s.predicted_elements},
@@ -154,6 +155,7 @@ void from_json(const Json& json, LevelStatistics& s) {
     json.at("nodes").get_to(s.nodes);
     json.at("elements").get_to(s.elements);
     json.at("boundary_faces").get_to(s.faces);
+    json.at("factor").get_to(s.factor);
     json.at("ratio").get_to(s.ratio);
     json.at("predicted_nodes").get_to(s.predicted_nodes);
     json.at("predicted_elements").get_to(s.predicted_elements);

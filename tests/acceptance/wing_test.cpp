@@ -2,7 +2,7 @@
 /// \file
 /// The paper's second example, section 5.2: an ONERA M6 wing of 67,866 nodes.
 #include "core/cases/onera_m6.h"
-#include "core/coarsen/coarsen.h"
+#include "core/coarsen/target_ratio.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/metric/aspect_ratio.h"
@@ -56,6 +56,7 @@ class WingTest : public QObject {
 private slots:
     void our_wing_coarsens_as_the_metric_asks();
     void a_wing_by_another_program_coarsens_as_the_metric_asks();
+    void each_level_has_the_ratio_asked_for();
 };
 
 void WingTest::our_wing_coarsens_as_the_metric_asks() {
@@ -68,6 +69,18 @@ void WingTest::a_wing_by_another_program_coarsens_as_the_metric_asks() {
         QSKIP("m6_67k.meshb is not here");
     }
     coarsens_as_the_metric_asks(std::get<Mesh<3>>(read_mesh(path.toStdString()).mesh));
+}
+
+void WingTest::each_level_has_the_ratio_asked_for() {
+    Level<3> level = finest_level(make_onera_m6({}), {});
+    for (int k = 1; k <= 4; ++k) {
+        CoarsenReport report;
+        level = coarsen_by_ratio(level, {}, 2, report);
+        const double ratio =
+            static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after);
+        QVERIFY2(ratio >= 1.9 && ratio <= 2.1,
+                 qPrintable(QStringLiteral("level %1: ratio %2").arg(k).arg(ratio)));
+    }
 }
 
 QTEST_APPLESS_MAIN(WingTest)

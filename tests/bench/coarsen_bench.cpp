@@ -2,13 +2,14 @@
 /// \file
 /// What the coarsener reaches, beside the ideal or the paper, and what it costs.
 ///
-///     coarsen_bench box layers m6 scaling      the parts wanted; all but the last without
-///     arguments
+///     coarsen_bench box layers m6 means algorithms control scaling
+///
+/// takes the parts wanted, and without arguments box, layers and m6.
 #include "core/base/parallel.h"
 #include "core/cases/box.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
-#include "core/coarsen/coarsen.h"
+#include "core/coarsen/target_ratio.h"
 #include "core/metric/aspect_ratio.h"
 
 #include <sys/resource.h>
@@ -154,6 +155,90 @@ void wing() {
     print_classes(classes);
 }
 
+/// "nodes (ratio, share of predicted, in band)" of some levels in a row.
+template <int D>
+void print_levels(const std::string& what, Level<D> level, const CoarsenOptions& options,
+                  int levels, double target_ratio = 0) {
+    std::printf("%-34s", what.c_str());
+    for (int k = 1; k <= levels; ++k) {
+        CoarsenReport r;
+        level = target_ratio > 0 ? coarsen_by_ratio(level, options, target_ratio, r)
+                                 : coarsen(level, options, r);
+        std::printf("  %6lld %.3f %.2f %4.1f %4.1f", static_cast<long long>(r.nodes_after),
+                    ratio(r), static_cast<double>(r.nodes_after) / r.predicted_nodes,
+                    100 * r.conformity.in_band, 100 * r.conformity.above_two);
+        std::fflush(stdout);
+    }
+    std::printf("\n");
+}
+
+/// Table 1 with all our means.
+void means() {
+    std::printf(
+        "\nTable 1: ONERA M6, nodes, ratio, share of the predicted nodes, edges in band and "
+        "above 2 [%%]; four levels\n"
+        "paper, interp (67866 nodes)         30961 2.19  15123 1.99  8507 1.77  5213 1.63\n"
+        "paper, log                          39010 1.74  22264 1.75  13246 1.68  8323 1.59\n");
+    const Mesh<3> mesh = make_onera_m6(preset("m6-67k"));
+    for (const double slack : {1.0, 1.15}) {
+        for (const Mean mean : all_means) {
+            if (mean == Mean::geodesic_fixed_step) {
+                continue;
+            }
+            CoarsenOptions options;
+            options.mean = mean;
+            options.target.slack = slack;
+            char what[64];
+            std::snprintf(what, sizeof what, "%s, slack %.2f", name(mean).data(), slack);
+            print_levels(what, finest_level(mesh, options), options, 4);
+        }
+    }
+}
+
+/// Figures 4 and 5: a layer beside an isotropic zone.
+void algorithms() {
+    std::printf(
+        "\nInterface: heights 1/16, 1/4, 1, 1, ... of the width; nodes, ratio, share of the "
+        "predicted nodes, edges in band and above 2 [%%]; two levels\n");
+    LayerOptions layer;
+    layer.aspect_ratio = 16;
+    layer.growth = 4;
+    const Mesh<3> mesh_3d = make_layer<3>(layer);
+    layer.nx = 96;
+    const Mesh<2> mesh_2d = make_layer<2>(layer);
+    for (const TargetAlgorithm algorithm : all_target_algorithms) {
+        for (const double beta : {1.2, 1.5}) {
+            if (algorithm != TargetAlgorithm::graded && beta > 1.2) {
+                continue;
+            }
+            CoarsenOptions options;
+            options.target.algorithm = algorithm;
+            options.target.gradation = beta;
+            const std::string what =
+                std::string(name(algorithm)) +
+                (algorithm == TargetAlgorithm::graded ? beta > 1.2 ? ", 1.5" : ", 1.2" : "");
+            print_levels("3-D, " + what, finest_level(mesh_3d, options), options, 2);
+            print_levels("2-D, " + what, finest_level(mesh_2d, options), options, 2);
+        }
+    }
+}
+
+void control() {
+    std::printf("\nONERA M6 with other factors and with given ratios; nodes, ratio, share of the "
+                "predicted nodes, edges in band and above 2 [%%]; four levels\n");
+    const Mesh<3> mesh = make_onera_m6(preset("m6-67k"));
+    for (const double factor : {1.5, 2.0, 4.0, 8.0}) {
+        CoarsenOptions options;
+        options.target.factor = factor;
+        print_levels("factor " + std::to_string(factor).substr(0, 3), finest_level(mesh, options),
+                     options, 4);
+    }
+    for (const double target : {1.7, 2.0, 2.2}) {
+        print_levels("target ratio " + std::to_string(target).substr(0, 3), finest_level(mesh, {}),
+                     {}, 4, target);
+    }
+}
+
 void scaling() {
     std::printf(
         "\nCost of a level on one thread [s], and per node [us]\n"
@@ -189,7 +274,7 @@ int main(int argc, char** argv) {
                 return true;
             }
         }
-        return argc == 1 && part != "scaling";
+        return argc == 1 && (part == "box" || part == "layers" || part == "m6");
     };
     if (wanted("box")) {
         boxes();
@@ -199,6 +284,15 @@ int main(int argc, char** argv) {
     }
     if (wanted("m6")) {
         wing();
+    }
+    if (wanted("means")) {
+        means();
+    }
+    if (wanted("algorithms")) {
+        algorithms();
+    }
+    if (wanted("control")) {
+        control();
     }
     if (wanted("scaling")) {
         scaling();

@@ -15,6 +15,9 @@ private slots:
     void describes_each_level_truly();
     void works_in_two_dimensions();
     void ends_when_the_mesh_cannot_be_coarsened();
+    void takes_a_factor_per_level();
+    void keeps_to_a_ratio();
+    void ends_when_a_level_is_isotropic();
     void keeps_the_levels_it_has_when_stopped();
     void makes_the_same_levels_in_two_goes();
     void lets_the_trouble_of_the_sink_through();
@@ -96,6 +99,58 @@ void BuildHierarchyTest::ends_when_the_mesh_cannot_be_coarsened() {
     QCOMPARE(made.levels.size(), std::size_t{1});
     QVERIFY(end.refused.has_value());
     QCOMPARE(end.refused->nodes_after, static_cast<std::int64_t>(nodes));
+}
+
+void BuildHierarchyTest::takes_a_factor_per_level() {
+    HierarchyOptions options;
+    options.levels = 3;
+    options.factors = {1.5, 3};
+    Collected<2> made;
+    build_hierarchy(small_mesh<2>(), options, made.sink());
+    QCOMPARE(made.statistics.size(), std::size_t{4});
+    QCOMPARE(made.statistics[1].factor, 1.5);
+    QCOMPARE(made.statistics[2].factor, 3.0);
+    QCOMPARE(made.statistics[3].factor, 3.0); // the last one goes on
+}
+
+void BuildHierarchyTest::keeps_to_a_ratio() {
+    HierarchyOptions options;
+    options.levels = 2;
+    options.target_ratio = 1.8;
+    Collected<2> made;
+    build_hierarchy(
+        std::get<Mesh<2>>(make_case(
+            "layer",
+            {{"dim", "2"}, {"nx", "32"}, {"nz", "24"}, {"growth", "1.3"}, {"aspect-ratio", "50"}})),
+        options, made.sink());
+    QCOMPARE(made.statistics.size(), std::size_t{3});
+    QVERIFY2(std::abs(made.statistics[1].ratio / 1.8 - 1) <= 0.05,
+             qPrintable(QString::number(made.statistics[1].ratio)));
+    QVERIFY(made.statistics[1].factor != 2);
+}
+
+void BuildHierarchyTest::ends_when_a_level_is_isotropic() {
+    const auto layer = [](const std::string& aspect_ratio) {
+        return std::get<Mesh<2>>(make_case("layer", {{"dim", "2"},
+                                                     {"nx", "24"},
+                                                     {"nz", "32"},
+                                                     {"growth", "1"},
+                                                     {"aspect-ratio", aspect_ratio}}));
+    };
+    HierarchyOptions options;
+    options.levels = 10;
+    options.until_isotropic = true;
+    Collected<2> made;
+    const HierarchyEnd end = build_hierarchy(layer("16"), options, made.sink());
+    QCOMPARE(end.status, HierarchyStatus::complete);
+    QVERIFY(made.statistics.size() >= 3 && made.statistics.size() <= 5);
+    for (std::size_t k = 0; k < made.statistics.size(); ++k) {
+        const bool isotropic = made.statistics[k].aspect_ratio.share_isotropic >= isotropic_share;
+        QCOMPARE(isotropic, k + 1 == made.statistics.size());
+    }
+    Collected<2> none; // isotropic from the start
+    QCOMPARE(build_hierarchy(layer("1"), options, none.sink()).status, HierarchyStatus::complete);
+    QCOMPARE(none.levels.size(), std::size_t{1});
 }
 
 void BuildHierarchyTest::keeps_the_levels_it_has_when_stopped() {

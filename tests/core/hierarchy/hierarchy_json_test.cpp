@@ -37,6 +37,7 @@ HierarchyLevel level(int k) {
     s.nodes = 1000 >> k;
     s.elements = 6000 >> k;
     s.faces = 40;
+    s.factor = 2.25;
     s.ratio = 1.0 / 3;
     s.predicted_nodes = 411.1;
     s.predicted_elements = 2500.25;
@@ -68,6 +69,9 @@ Hierarchy example() {
     h.options.coarsen.target.algorithm = TargetAlgorithm::graded;
     h.options.coarsen.target.gradation = 1.25;
     h.options.coarsen.target.factor = 2.5;
+    h.options.factors = {2.5, 3};
+    h.options.target_ratio = 2.125;
+    h.options.until_isotropic = true;
     h.options.coarsen.features.frozen_patches = {1, 4};
     h.input.file = {"../wing.meshb", 0x1234u};
     h.input.format = "Medit binary, version 2";
@@ -88,6 +92,10 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QCOMPARE(read.levels[1].statistics.warnings.at(0).defect, Defect::orphan_node);
     QCOMPARE(read.levels[1].statistics.removal[Verdict::region_border], std::int64_t{1});
     QCOMPARE(read.options.coarsen.mean, Mean::log_euclidean);
+    QCOMPARE(read.options.factors, (std::vector<double>{2.5, 3}));
+    QCOMPARE(read.options.target_ratio, 2.125);
+    QVERIFY(read.options.until_isotropic);
+    QCOMPARE(read.levels[1].statistics.factor, 2.25);
     QCOMPARE(read.options.coarsen.target.algorithm, TargetAlgorithm::graded);
     QCOMPARE(read.options.coarsen.target.gradation, 1.25);
     QVERIFY(read.input.repair.elements_turned);
