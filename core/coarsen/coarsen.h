@@ -22,7 +22,7 @@ struct CoarsenOptions {
     LineOptions lines;
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     SwapOptions swaps;
-    int passes = 4; ///< removal passes, >= 1; swaps come after each
+    int passes = 6; ///< removal passes, >= 1; swaps come after each
 };
 
 /// Wall-clock seconds of one level, by phase.

@@ -45,7 +45,8 @@ private:
     /// In later passes parity is settled; what the first pass could not take may go now.
     void thin_line_again(NodeId v) {
         const NodeId a = lines_.previous[v], b = lines_.next[v];
-        if ((a.valid() && too_close(v, a)) || (b.valid() && too_close(v, b))) {
+        if ((a.valid() && too_close(v, a, options_.reach)) ||
+            (b.valid() && too_close(v, b, options_.reach))) {
             leave_along_line(v);
         }
     }
@@ -65,10 +66,7 @@ private:
             if (!w.valid()) {
                 continue;
             }
-            last = propose(v, w, star_);
-            if (last == Verdict::accepted && !in_.removed.interpolated_well(mesh_, ball_, star_, v)) {
-                last = Verdict::weak_coupling;
-            }
+            last = propose(v, w, 0, star_);
             if (last == Verdict::accepted) {
                 commit(v, w);
                 lines_.remove(v);
@@ -79,26 +77,20 @@ private:
         return false;
     }
 
-    /// \param first_pass  collapse only onto kept nodes that are too close and strongly coupled;
-    ///                    later any neighbour will do, as long as a strong one stays
+    /// In the first pass onto kept nodes that are too close; later onto any node that is not far.
     bool remove_off_line(NodeId v, bool first_pass) {
         collect_neighbours(v);
-        const float strong = static_cast<float>(options_.strong_share) * strongest_way_out(v);
         bool crowded = false;
         candidates_.clear();
         for (const NodeId w : neighbours_) {
-            const bool close = (!first_pass || state_.kept[w] != 0) && too_close(v, w);
+            const bool close =
+                (!first_pass || state_.kept[w] != 0) && too_close(v, w, options_.reach);
             crowded = crowded || close;
-            const bool near = first_pass ? close : too_close(v, w, options_.later_reach);
-            if (near && in_.couplings.between(v, w) >= strong) {
+            if (first_pass ? close : too_close(v, w, options_.later_reach)) {
                 candidates_.push_back(w);
             }
         }
         if (!crowded) {
-            return false;
-        }
-        if (candidates_.empty()) {
-            verdicts_.add(Verdict::weak_coupling);
             return false;
         }
         if (!within_coupling_bound(v)) {
@@ -108,40 +100,18 @@ private:
         return take_best(v);
     }
 
-    /// The strongest coupling along which the geometry lets `v` leave: a node of the boundary may
-    /// be tied more strongly to the inside.
-    float strongest_way_out(NodeId v) const {
-        if (mesh_.node_class(v) == NodeClass::interior) {
-            return in_.couplings.strongest[v];
-        }
-        float strongest = 0;
-        const auto neighbours = in_.couplings.neighbours[v];
-        const auto values = in_.couplings.at(v);
-        for (std::size_t i = 0; i < neighbours.size(); ++i) {
-            if (mesh_.on_boundary(neighbours[i])) {
-                strongest = std::max(strongest, values[i]);
-            }
-        }
-        return strongest;
-    }
-
     bool take_best(NodeId v) {
         gather_ball(mesh_, v, ball_);
         NodeId best;
         Verdict first = Verdict::accepted;
         for (const NodeId w : candidates_) {
-            Verdict verdict = propose(v, w, star_);
-            if (verdict == Verdict::accepted && best.valid() && star_.worst_quality <= best_star_.worst_quality) {
-                continue;
-            }
-            if (verdict == Verdict::accepted && !in_.removed.interpolated_well(mesh_, ball_, star_, v)) {
-                verdict = Verdict::weak_coupling;
-            }
-            if (verdict != Verdict::accepted) {
-                first = first == Verdict::accepted ? verdict : first;
-            } else if (!best.valid() || star_.worst_quality > best_star_.worst_quality) {
+            const Verdict verdict =
+                propose(v, w, best.valid() ? best_star_.worst_quality : 0, star_);
+            if (verdict == Verdict::accepted) {
                 best = w;
                 std::swap(star_, best_star_);
+            } else {
+                first = first == Verdict::accepted ? verdict : first;
             }
         }
         if (!best.valid()) {
@@ -149,15 +119,26 @@ private:
             return false;
         }
         std::swap(star_, best_star_);
+        // Other candidates may have been looked at since the best one.
         (void)in_.removed.interpolated_well(mesh_, ball_, star_, v);
         commit(v, best);
         return true;
     }
 
-    Verdict propose(NodeId v, NodeId w, Star<D>& star) {
-        return propose_collapse(mesh_, in_.sizes, options_.surface, options_.quality,
-                                static_cast<double>(in_.short_size[v]), {.removed = v, .kept = w},
-                                ball_, star);
+    /// \param better_than  size quality that the worst new element must exceed
+    Verdict propose(NodeId v, NodeId w, double better_than, Star<D>& star) {
+        const Verdict verdict =
+            propose_collapse(mesh_, in_.sizes, options_.surface, options_.quality,
+                             static_cast<double>(in_.short_size[v]), {.removed = v, .kept = w},
+                             ball_, star);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+        if (star.worst_quality <= better_than) {
+            return Verdict::no_improvement;
+        }
+        return in_.removed.interpolated_well(mesh_, ball_, star, v) ? Verdict::accepted
+                                                                    : Verdict::weak_coupling;
     }
 
     void commit(NodeId v, NodeId w) {
@@ -193,7 +174,8 @@ private:
     /// Whether an edge is to go: its length in the target metric is well below 1. Edges the target
     /// does not stretch are left alone until they are much too short; otherwise the accidental
     /// short ones among them would shift whole columns.
-    bool too_close(NodeId v, NodeId w, double reach = 0.707) const {
+    bool too_close(NodeId v, NodeId w, double reach) const {
+        constexpr double untouched = 0.4;
         const Vec<D> e = mesh_.point(w) - mesh_.point(v);
         const double target = edge_length((in_.target[v] * e).norm(), (in_.target[w] * e).norm());
         if (target >= reach) {
@@ -202,7 +184,7 @@ private:
         const double natural =
             edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
         const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);
-        return target < 0.4 + (reach - 0.4) * stretched;
+        return target < untouched + (reach - untouched) * stretched;
     }
 
     void collect_neighbours(NodeId v) {

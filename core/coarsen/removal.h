@@ -15,12 +15,11 @@ namespace ameco {
 struct RemovalOptions {
     QualityFloor quality;
     SurfaceRules surface;
-    double strong_share =
-        0.0; ///< an edge is strong above this share of the strongest at its node [-]
+    double reach = 0.707; ///< edges that shall go are shorter than this in the target metric [-]
+    double later_reach = 1.1;    ///< the same of edges along which nodes may leave after the first
+                                 ///< pass, when they are crowded by another [-]
     double coupling_bound = 0.9; ///< most of a_vv that may go to removed neighbours [-]
-    double later_reach = 1.1; ///< as `reach`, for nodes to leave onto in later passes [-]
-    double interpolation_more = 0;
-    double interpolation_bound = 5; ///< largest interpolation constant, see RemovedNodes [-]
+    InterpolationBound interpolation;
 };
 
 /// What the removal looks at, beside the mesh; all of it of the mesh before any removal.
@@ -32,7 +31,7 @@ struct RemovalInput {
     const IdVector<NodeId, Mat<D>>& natural;   ///< length factors of the natural metric
     const IdVector<NodeId, Mat<D>>& target;    ///< length factors of the target metric
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
-    RemovedNodes<D>& removed;
+    RemovedNodes<D>& removed;                  ///< kept up to date
 };
 
 /// Which nodes are gone, and how much of each node's stencil went with them.
@@ -43,15 +42,14 @@ struct RemovalState {
 };
 
 /// First pass: nodes in front order. On a line every odd node goes, onto a neighbour on the line.
-/// Off the lines a node goes onto a kept neighbour that is too close in the target metric and
-/// strongly coupled; among several the one that leaves the best elements.
+/// Off the lines a node goes onto a kept neighbour that is too close in the target metric; among
+/// several the one that leaves the best elements. All removed nodes must stay well interpolated.
 template <int D>
 void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                        const RemovalInput<D>& input, const RemovalOptions& options,
                        VerdictCounts& verdicts, Monitor& monitor);
 
-/// Later passes: nodes that still have a neighbour too close leave onto any strong neighbour that
-/// will do.
+/// Later passes: nodes that still have a neighbour too close leave onto any that is not far.
 template <int D>
 void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                   const RemovalInput<D>& input, const RemovalOptions& options,

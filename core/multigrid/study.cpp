@@ -40,9 +40,12 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
     LevelEquations out;
     out.symmetric = problem.velocity.isZero();
     double entries = 0, nodes = 0;
-    SparseMatrix finer; // of all nodes, boundary included, as used on the next finer level
+    // Of all nodes, boundary included: what the next coarser level is compared with. What was
+    // stiffened is not: stiffness would pile up from level to level.
+    SparseMatrix finer;
     for (std::size_t k = 0; k < meshes.size(); ++k) {
         SparseMatrix A = assemble(meshes[k], problem);
+        SparseMatrix next = kind == CoarseOperator::galerkin ? SparseMatrix() : A;
         if (k > 0) {
             const Vector ratios = galerkin_ratios(finer, transfers[k - 1].P, A);
             out.ratios.push_back(as_nodal(ratios));
@@ -52,6 +55,9 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                 A = stiffened(A, ratios);
             }
         }
+        if (kind == CoarseOperator::galerkin) {
+            next = A;
+        }
         out.unknowns.push_back(free_nodes(meshes[k], problem));
         out.matrices.A.push_back(restricted(A, out.unknowns[k], out.unknowns[k]));
         if (k > 0) {
@@ -60,8 +66,7 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
         }
         entries += static_cast<double>(out.matrices.A[k].nonZeros());
         nodes += static_cast<double>(out.unknowns[k].size());
-        static const int acc = getenv("ACC") ? atoi(getenv("ACC")) : 1;
-        finer = acc || kind != CoarseOperator::stiffened ? A : assemble(meshes[k], problem);
+        finer = std::move(next);
     }
     out.operator_complexity = entries / static_cast<double>(out.matrices.A[0].nonZeros());
     out.grid_complexity = nodes / static_cast<double>(out.unknowns[0].size());

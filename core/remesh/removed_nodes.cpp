@@ -4,7 +4,9 @@
 #include "core/geometry/volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ameco {
 namespace {
@@ -40,6 +42,20 @@ std::array<double, D + 1> weights_in(const EditMesh<D>& mesh, const Simplex<D>& 
 } // namespace
 
 template <int D>
+IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
+                                             const MetricField<D>& target,
+                                             const InterpolationBound& bound) {
+    IdVector<NodeId, float> bounds(natural.size());
+    for (const NodeId v : natural.ids()) {
+        const double directions =
+            (target[v].sizes.array() / natural[v].sizes.array()).log().sum() / std::log(2.0);
+        bounds[v] = static_cast<float>(bound.layer +
+                                       bound.per_direction * std::max(directions - 1, 0.0));
+    }
+    return bounds;
+}
+
+template <int D>
 RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds)
     : couplings_(couplings), bounds_(std::move(bounds)), next_(couplings.diagonal.size()),
       constant_(couplings.diagonal.size(), 0) {}
@@ -52,7 +68,7 @@ bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>
         places_.push_back(locate(mesh, star, v));
         return places_.back().constant <= std::max(bounds_[v], v == leaving ? 0 : constant_[v]);
     };
-    if (leaving.valid() && !add(leaving)) {
+    if (leaving.valid() && !mesh.on_boundary(leaving) && !add(leaving)) {
         return false;
     }
     for (const ElementId e : cavity.elements) {
@@ -89,7 +105,7 @@ void RemovedNodes<D>::move(std::span<const ElementId> old, std::span<const Eleme
 template <int D>
 auto RemovedNodes<D>::locate(const EditMesh<D>& mesh, const Star<D>& star, NodeId v) const
     -> Place {
-    // The element that holds the node, or, on a curved boundary, the one it is least outside of.
+    // The element that holds the node, or, above a curved boundary, the one it is least outside of.
     double best = -std::numeric_limits<double>::infinity();
     std::size_t found = 0;
     std::array<double, D + 1> weights{};
@@ -139,7 +155,13 @@ double RemovedNodes<D>::constant(NodeId v, const Simplex<D>& element,
     return diagonal * sum;
 }
 
-template class RemovedNodes<2>;
-template class RemovedNodes<3>;
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template IdVector<NodeId, float> interpolation_bounds(                                         \
+        const MetricField<D>&, const MetricField<D>&, const InterpolationBound&);                  \
+    template class RemovedNodes<D>;
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
 
 } // namespace ameco

@@ -12,6 +12,20 @@
 
 namespace ameco {
 
+/// How large the interpolation constant of a removed node may become. It grows with the number of
+/// directions that are coarsened, n = sum log2(h'_i / h_i): 2 in an ideal layer (n = 1), above 4 in
+/// isotropic meshes (n = D).
+struct InterpolationBound {
+    double layer = 5;         ///< bound where one direction is coarsened [-]
+    double per_direction = 6; ///< added for each further one [-]
+};
+
+/// The bound of each node.
+template <int D>
+[[nodiscard]] IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
+                                                           const MetricField<D>& target,
+                                                           const InterpolationBound& bound);
+
 /// The removed nodes, each in the element that holds it, carried along as the mesh is edited.
 ///
 /// A removed node gets its value from the nodes of its element. With weights w_i and conductances
@@ -21,10 +35,12 @@ namespace ameco {
 ///     K_v = a_vv sum_i w_i / g_vi
 ///
 /// bounds what the interpolation misses of an error by the error's energy, since
-/// a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2; it is 2 on a line across layers. A
-/// two-grid cycle converges no better than 1 - 1 / max K allows. An edit that raises K of a node
-/// it moves above `bound` is refused, be it collapse or swap: this keeps the edges of the coarse
-/// mesh along the strong couplings of the fine one, on lines and off them.
+/// a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2; it is 2 on a line across layers. An
+/// edit that raises K of a node above its bound is refused, be it collapse or swap: this keeps
+/// edges of the coarse mesh along the strong couplings of the fine one, on lines and off them.
+/// Nodes of the boundary are left out: other nodes of the boundary interpolate them, whatever they
+/// are coupled with.
+/// \see docs/theory/multigrid.md
 template <int D>
 class RemovedNodes {
 public:

@@ -12,7 +12,7 @@ struct SurfaceRules {
         30; ///< between the normals of a new face and the one it replaces [deg]
     double relative_distance = 0.13; ///< bound on the distance to the finest boundary, over the
                                      ///< mean edge of the faces concerned [-]
-    double layer_share = 0.3; ///< one operation may move the boundary by this share of h_1 [-]
+    double layer_share = 0.5; ///< one operation may move the boundary by this share of h_1 [-]
 };
 
 /// Judges the boundary faces in a star against those of the cavity it fills.

@@ -271,8 +271,6 @@ int main(int argc, char** argv) {
             full = value != "0";
         } else if (key == "coupling-bound") {
             coarsening.removal.coupling_bound = std::stod(value);
-        } else if (key == "strong-share") {
-            coarsening.removal.strong_share = std::stod(value);
         } else if (key == "slack") {
             coarsening.target.slack = std::stod(value);
         } else if (key == "mean") {
@@ -284,9 +282,9 @@ int main(int argc, char** argv) {
         } else if (key == "layer") {
             coarsening.removal.surface.layer_share = std::stod(value);
         } else if (key == "kmore") {
-            coarsening.removal.interpolation_more = std::stod(value);
+            coarsening.removal.interpolation.per_direction = std::stod(value);
         } else if (key == "kbound") {
-            coarsening.removal.interpolation_bound = std::stod(value);
+            coarsening.removal.interpolation.layer = std::stod(value);
         } else if (key == "reach") {
             coarsening.removal.later_reach = std::stod(value);
         } else if (key == "mean") {
