@@ -48,19 +48,24 @@ struct LevelData {
     FrontOrder front;
     Lines lines;
     IdVector<NodeId, Mat<D>> natural, target;
-    IdVector<NodeId, float> short_size;
+    IdVector<NodeId, float> short_size, bounds;
     SizeField<D> sizes;
     RootField<D> root;
 };
 
 template <int D>
-void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelData<D>& data) {
+void prepare_metrics(const Level<D>& fine, const MetricField<D>& target,
+                     const RemovalOptions& removal, LevelData<D>& data) {
     data.natural = length_factors(fine.natural);
     data.target = length_factors(target);
     data.sizes = make_size_field(target);
     data.root = make_root_field(target);
     data.short_size.resize(target.size());
+    data.bounds.resize(target.size());
     for (const NodeId v : fine.mesh.points.ids()) {
+        const double directions = (target[v].sizes.array() / fine.natural[v].sizes.array()).log2().sum();
+        data.bounds[v] = static_cast<float>(removal.interpolation_bound + removal.interpolation_more * std::max(directions - 1, 0.0));
+        if (fine.geometry.node[v] != NodeClass::interior) data.bounds[v] *= getenv("BB") ? atof(getenv("BB")) : 2;
         data.short_size[v] = static_cast<float>(fine.natural[v].sizes[0]);
     }
 }
@@ -83,7 +88,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     set_size_qualities(mesh, data.sizes);
-    RemovedNodes<D> removed(data.couplings, options.removal.interpolation_bound);
+    RemovedNodes<D> removed(data.couplings, data.bounds);
     const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes, data.natural,
                                 data.target,      data.short_size, removed};
     const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
@@ -165,7 +170,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
                              expected_nodes(fine.mesh, fine.natural);
     report.conformity_before = conformity(fine.mesh, fine.natural);
     LevelData<D> data;
-    prepare_metrics(fine, target, data);
+    prepare_metrics(fine, target, options.removal, data);
     watch.lap(report.seconds.metric);
     stop_if_asked(monitor);
 

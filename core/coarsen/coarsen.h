@@ -16,7 +16,7 @@
 namespace ameco {
 
 struct CoarsenOptions {
-    Mean mean = Mean::corrected;
+    Mean mean = Mean::blended;
     TargetOptions target;
     FeatureOptions features;
     LineOptions lines;

@@ -16,9 +16,10 @@ struct RemovalOptions {
     QualityFloor quality;
     SurfaceRules surface;
     double strong_share =
-        0.5; ///< an edge is strong above this share of the strongest at its node [-]
-    double coupling_bound = 0.785; ///< most of a_vv that may go to removed neighbours [-]
-    double later_reach = 0.907; ///< as `reach`, for nodes to leave onto in later passes [-]
+        0.0; ///< an edge is strong above this share of the strongest at its node [-]
+    double coupling_bound = 0.9; ///< most of a_vv that may go to removed neighbours [-]
+    double later_reach = 1.1; ///< as `reach`, for nodes to leave onto in later passes [-]
+    double interpolation_more = 0;
     double interpolation_bound = 5; ///< largest interpolation constant, see RemovedNodes [-]
 };
 

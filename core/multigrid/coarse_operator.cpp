@@ -24,7 +24,8 @@ SparseMatrix galerkin_product(const SparseMatrix& A, const SparseMatrix& P) {
 }
 
 SparseMatrix stiffened(const SparseMatrix& coarse_A, const Vector& ratios) {
-    const auto factor = [&](Eigen::Index i) { return std::max(1.0, ratios[i]); };
+    static const double th = getenv("TH") ? atof(getenv("TH")) : 1;static const double pw = getenv("PW") ? atof(getenv("PW")) : 1;
+    const auto factor = [&](Eigen::Index i) { return std::max(1.0, pow(ratios[i] / th, pw)); };
     SparseMatrix out = coarse_A;
     for (Eigen::Index i = 0; i < out.rows(); ++i) {
         double added = 0;

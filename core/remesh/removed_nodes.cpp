@@ -40,8 +40,8 @@ std::array<double, D + 1> weights_in(const EditMesh<D>& mesh, const Simplex<D>& 
 } // namespace
 
 template <int D>
-RemovedNodes<D>::RemovedNodes(const Couplings& couplings, double bound)
-    : couplings_(couplings), bound_(bound), next_(couplings.diagonal.size()),
+RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds)
+    : couplings_(couplings), bounds_(std::move(bounds)), next_(couplings.diagonal.size()),
       constant_(couplings.diagonal.size(), 0) {}
 
 template <int D>
@@ -50,8 +50,7 @@ bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>
     places_.clear();
     const auto add = [&](NodeId v) {
         places_.push_back(locate(mesh, star, v));
-        const double before = v == leaving ? 0 : static_cast<double>(constant_[v]);
-        return static_cast<double>(places_.back().constant) <= std::max(bound_, before);
+        return places_.back().constant <= std::max(bounds_[v], v == leaving ? 0 : constant_[v]);
     };
     if (leaving.valid() && !add(leaving)) {
         return false;

@@ -29,8 +29,8 @@ template <int D>
 class RemovedNodes {
 public:
     /// \param couplings  of the mesh before any removal; must outlive this
-    /// \param bound      largest K [-]
-    RemovedNodes(const Couplings& couplings, double bound);
+    /// \param bounds     largest K of each node [-]
+    RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds);
 
     /// Whether filling the cavity with the star leaves the removed nodes in it, and `leaving`
     /// (where valid) with them, in elements that interpolate them well enough: K at most the bound,
@@ -55,7 +55,7 @@ private:
                                   const std::array<double, D + 1>& weights) const;
 
     const Couplings& couplings_;
-    double bound_;
+    IdVector<NodeId, float> bounds_;
     IdVector<ElementId, NodeId> first_; ///< [slots] first removed node in an element
     IdVector<NodeId, NodeId> next_;     ///< the next one in the same element
     IdVector<NodeId, float> constant_;  ///< K, where the node is now

@@ -70,11 +70,13 @@ Grids<D> make_grids(Mesh<D> mesh, int levels, const CoarsenOptions& options) {
         grids.transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
         const double locate_seconds = watch.lap();
         const TransferCheck c = check(grids.transfers.back(), fine.mesh, coarse.mesh);
-        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, line nodes %lld; coarsen %.2f s, "
+        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, reached %.3f, band %.1f %%, line nodes %lld; coarsen %.2f s, "
                     "locate %.2f s; projected %lld (farthest %.2g), linear error %.1e%s%s\n",
                     k, whole(report.nodes_before), whole(report.nodes_after),
                     static_cast<double>(report.nodes_before) /
                         static_cast<double>(report.nodes_after),
+                    static_cast<double>(report.nodes_after) / report.predicted_nodes,
+                    100 * report.conformity.in_band,
                     whole(report.line_nodes), coarsen_seconds, locate_seconds, whole(c.projected),
                     c.largest_projection, c.linear_error,
                     c.passed() ? "" : "; TRANSFER CHECK FAILED: ", c.failures().c_str());
@@ -170,7 +172,7 @@ void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) 
         options.smoother.kind = SmootherKind::gauss_seidel;
         {
             const LevelEquations ge = level_equations<D>({g.meshes[k], g.meshes[k + 1]}, {g.transfers[k]}, {}, CoarseOperator::galerkin);
-            if (ge.matrices.A[1].rows() < 40000) {
+            if (getenv("GTG")) {
             const auto f = two_grid(ge, 0, options, exact_solver(ge, 1));
             std::printf("         galerkin two-grid GS(1,1) %.3f\n", f.value);
             print_worst(g, ge, 0, f, 0, k);
@@ -277,6 +279,12 @@ int main(int argc, char** argv) {
             coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
         } else if (key == "dominance") {
             coarsening.lines.dominance = std::stod(value);
+        } else if (key == "surface") {
+            coarsening.removal.surface.relative_distance = std::stod(value);
+        } else if (key == "layer") {
+            coarsening.removal.surface.layer_share = std::stod(value);
+        } else if (key == "kmore") {
+            coarsening.removal.interpolation_more = std::stod(value);
         } else if (key == "kbound") {
             coarsening.removal.interpolation_bound = std::stod(value);
         } else if (key == "reach") {
