@@ -144,7 +144,7 @@ private:
                    "per level, its last one for all further levels")
                 ->type_name("C[,C...]")
                 ->delimiter(',')
-                ->expected(1)
+                ->allow_extra_args(false)
                 ->check(greater_than(1))
                 ->default_str(number_text(coarsen.target.factor))
                 ->group(group);

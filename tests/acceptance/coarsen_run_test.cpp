@@ -22,6 +22,9 @@ private slots:
     void starts_anew_from_the_first_damaged_level();
     void resumes_only_what_was_made_alike_data();
     void resumes_only_what_was_made_alike();
+    void takes_a_factor_per_level_and_remembers_it();
+    void goes_on_until_nothing_is_stretched();
+    void chooses_factors_for_a_ratio();
     void says_when_a_mesh_cannot_be_coarsened();
     void reports_progress_to_programs();
     void keeps_what_it_has_when_the_disk_is_full();
@@ -210,6 +213,56 @@ void CoarsenRunTest::resumes_only_what_was_made_alike() {
     const Run run = here_.ameco(QStringList{"coarsen", "-o", "all", "--resume"} + arguments);
     QVERIFY2(run.code == 2 && run.err.contains(complaint), run.text());
     QVERIFY(contents("all") == before);
+}
+
+void CoarsenRunTest::takes_a_factor_per_level_and_remembers_it() {
+    const QStringList command{"coarsen", "layer.meshb", "-o", "factors", "--factor", "1.9,2.1"};
+    QCOMPARE(here_.ameco(command + QStringList{"--levels", "2"}).code, 0);
+    const Run more = here_.ameco(command + QStringList{"--levels", "3", "--resume", "--json"});
+    QVERIFY2(more.code == 0, more.text());
+    const auto levels = more.json().at("hierarchy").at("levels");
+    QCOMPARE(levels.size(), std::size_t{4});
+    QCOMPARE(levels.at(1).at("factor").get<double>(), 1.9);
+    QCOMPARE(levels.at(2).at("factor").get<double>(), 2.1);
+    QCOMPARE(levels.at(3).at("factor").get<double>(), 2.1);
+    const Run other = here_.ameco({"coarsen", "layer.meshb", "-o", "factors", "--factor", "1.9,2",
+                                   "--levels", "3", "--resume"});
+    QVERIFY2(other.code == 2 && other.err.contains("factors"), other.text());
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "none", "--factor", "2,1"}).code, 2);
+}
+
+void CoarsenRunTest::goes_on_until_nothing_is_stretched() {
+    const QStringList layer{"case", "layer",    "--dim",          "2",  "--nx",     "24",
+                            "--nz", "32",       "--aspect-ratio", "16", "--growth", "1",
+                            "-o",   "flat.mesh"};
+    QCOMPARE(here_.ameco(layer).code, 0);
+    const QStringList command{"coarsen", "flat.mesh", "-o", "until", "--until-isotropic", "--json"};
+    const Run run = here_.ameco(command);
+    QVERIFY2(run.code == 0, run.text());
+    const auto levels = run.json().at("hierarchy").at("levels");
+    QVERIFY(levels.size() >= 3 && levels.size() <= 5);
+    const auto share = [&](std::size_t k) {
+        return levels.at(k).at("aspect_ratio").at("share_below_5").get<double>();
+    };
+    QVERIFY(share(levels.size() - 1) >= 0.95);
+    QVERIFY(share(levels.size() - 2) < 0.95);
+    const Run again = here_.ameco(command + QStringList{"--resume"}); // nothing is left to do
+    QCOMPARE(again.code, 0);
+    QCOMPARE(again.json().at("hierarchy").at("levels").size(), levels.size());
+}
+
+void CoarsenRunTest::chooses_factors_for_a_ratio() {
+    QCOMPARE(
+        here_
+            .ameco({"coarsen", "layer.meshb", "-o", "both", "--target-ratio", "2", "--factor", "2"})
+            .code,
+        2);
+    const Run run = here_.ameco({"coarsen", "layer.meshb", "-o", "ratio", "--target-ratio", "1.85",
+                                 "--levels", "1", "--json"});
+    QVERIFY2(run.code == 0, run.text());
+    const double ratio = run.json().at("hierarchy").at("levels").at(1).at("ratio").get<double>();
+    const bool told = run.err.contains("not the 1.85 asked for");
+    QVERIFY2((std::abs(ratio / 1.85 - 1) <= 0.05) != told, run.text());
 }
 
 void CoarsenRunTest::says_when_a_mesh_cannot_be_coarsened() {
