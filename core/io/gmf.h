@@ -33,7 +33,8 @@ enum class Form { text, binary };
 /// Reads the content of a mesh file; nothing if it is not GMF at all.
 /// \param name  of the file, for messages
 /// \throws InputError
-[[nodiscard]] std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name);
+[[nodiscard]] std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name,
+                                                const ReadOptions& options = {});
 
 /// Reads the content of a metric file, likewise.
 [[nodiscard]] std::optional<TensorFile> read_tensors(std::string_view bytes,
