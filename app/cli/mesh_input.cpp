@@ -13,6 +13,9 @@ namespace fs = std::filesystem;
 MeshFile load_mesh(const fs::path& path, Session& session, const ReadOptions& options) {
     session.monitor.progress(0, "reading " + path.filename().string());
     MeshFile file = read_mesh(path, options);
+    for (const std::string& change : file.changes) {
+        session.monitor.message(Severity::warning, path.string() + ": " + change);
+    }
     for (const std::string& note : file.notes) {
         session.monitor.message(Severity::info, path.string() + ": " + note);
     }

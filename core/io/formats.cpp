@@ -2,6 +2,9 @@
 // The table of formats itself: a new format gets a file of its own and a row here.
 #include "core/io/format.h"
 
+#ifdef AMECO_WITH_CGNS
+#include "core/io/cgns.h"
+#endif
 #include "core/io/dassault.h"
 #include "core/io/dimeco.h"
 #include "core/io/gmf.h"
@@ -191,12 +194,48 @@ void add_solvers(std::vector<Format>& table) {
                      .write_3d = tetgen_files::write<3>});
 }
 
+/// Rows whose library is absent stay in the table, to say so.
+constexpr std::string_view not_built = "left out of this build";
+
+#ifdef AMECO_WITH_CGNS
+template <int D, cgns::Container container>
+std::vector<std::string> write_cgns(const std::filesystem::path& path, const Mesh<D>& mesh,
+                                    const WriteOptions&) {
+    return cgns::write(path, container, mesh);
+}
+#endif
+
+void add_cgns(std::vector<Format>& table) {
+    const Format row{.name = "cgns",
+                     .title = "CGNS",
+                     .suffixes = {".cgns"},
+                     .keeps = both | named,
+                     .remark = not_built};
+    table.push_back(row);
+    table.push_back(row);
+    table.back().name = "cgns-adf";
+    table.back().title = "CGNS in ADF";
+#ifdef AMECO_WITH_CGNS
+    for (Format* format : {&table.back() - 1, &table.back()}) {
+        format->remark = "one unstructured zone, HDF5 or ADF";
+        format->recognises = cgns::recognises;
+        format->read = cgns::read;
+    }
+    Format& hdf5 = table[table.size() - 2];
+    hdf5.write_2d = write_cgns<2, cgns::Container::hdf5>;
+    hdf5.write_3d = write_cgns<3, cgns::Container::hdf5>;
+    table.back().write_2d = write_cgns<2, cgns::Container::adf>;
+    table.back().write_3d = write_cgns<3, cgns::Container::adf>;
+#endif
+}
+
 std::vector<Format> make_table() {
     std::vector<Format> table;
     add_medit(table);
     add_founding(table);
     add_solvers(table);
     add_gmsh(table);
+    add_cgns(table);
     return table;
 }
 

@@ -78,9 +78,9 @@ public:
         file.format = std::string("Gmsh ") + (version_ == 2 ? "2.2" : "4.1") +
                       (binary_ ? " binary" : " text");
         if (curved_ > 0) {
-            file.notes.push_back(std::to_string(curved_) +
-                                 " elements of second order were taken as straight ones; their "
-                                 "middle nodes are left unused");
+            file.changes.push_back(std::to_string(curved_) +
+                                   " elements of second order were taken as straight ones; their "
+                                   "middle nodes are left unused");
         }
         finish_mesh(std::move(mixed_), {source_.name, 1, source_.options.surfaces}, file);
         return file;

@@ -30,6 +30,10 @@ const Format& format_of(const Source& source, bool metric) {
     if (found != formats().end()) {
         return *found;
     }
+    if (!metric && by_suffix != nullptr && !by_suffix->reads()) {
+        throw Error(ExitCode::not_built, source.name + ": " + std::string(by_suffix->title) +
+                                             " cannot be read: " + std::string(by_suffix->remark));
+    }
     const bool decides = by_suffix != nullptr && by_suffix->recognises == nullptr &&
                          (metric ? by_suffix->read_tensors != nullptr : by_suffix->read != nullptr);
     if (!decides || source.bytes.empty()) {

@@ -28,6 +28,7 @@ struct MeshFile {
     std::string format;                ///< e.g. "Medit binary, version 2"
     int format_version = 2;            ///< of the format, so that a conversion can keep it
     std::vector<OpaqueRecord> carried; ///< records copied through by `convert`
+    std::vector<std::string> changes;  ///< one line each: what is not as it stands in the file
     std::vector<std::string> notes;    ///< one line each: what was unusual, skipped or assumed
 };
 

@@ -159,7 +159,7 @@ Mesh<3> to_solid(MixedMesh<3>&& mixed, MeshFile& file) {
     splitter.add(CellType::hexahedron, mixed.hexahedra);
     splitter.add(mixed.quadrilaterals);
     if (std::string note = splitter.note(simplices); !note.empty()) {
-        file.notes.push_back(std::move(note));
+        file.changes.push_back(std::move(note));
     }
     return mesh;
 }
@@ -211,8 +211,8 @@ Mesh<2> to_plane(MixedMesh<2>&& mixed, MeshFile& file) {
         turn_if_negative<2>(mesh.points, {elements.data() + first, elements.size() - first});
         CountList counts;
         counts.add(quads, CellType::quadrilateral);
-        file.notes.push_back(counts.text() + " were split into " +
-                             std::to_string(elements.size() - first) + " triangles");
+        file.changes.push_back(counts.text() + " were split into " +
+                               std::to_string(elements.size() - first) + " triangles");
     }
     return mesh;
 }

@@ -140,7 +140,7 @@ public:
     MeshFile read_rest() {
         MeshFile result;
         result.format = D == 3 ? "TetGen" : "Triangle";
-        read_elements(result.notes);
+        read_elements(result.changes);
         read_faces(result.notes);
         finish_mesh(std::move(mixed_), {source_.name, static_cast<int>(first_number_), false},
                     result);
@@ -148,7 +148,7 @@ public:
     }
 
 private:
-    void read_elements(std::vector<std::string>& notes) {
+    void read_elements(std::vector<std::string>& changes) {
         const std::filesystem::path path = with_suffix(source_.path, ".ele");
         const FileBytes bytes(path);
         File file(bytes.view(), path.string());
@@ -175,10 +175,10 @@ private:
             }
         }
         if (header[1] > D + 1) {
-            notes.emplace_back("elements of second order were taken as straight ones");
+            changes.emplace_back("elements of second order were taken as straight ones");
         }
         if (file.rounded()) {
-            notes.emplace_back("attributes of elements were rounded to whole numbers of regions");
+            changes.emplace_back("attributes of elements were rounded to whole numbers of regions");
         }
     }
 

@@ -203,9 +203,9 @@ void MixedMeshTest::cuts_cells_of_all_kinds_so_that_they_fit() {
             }
         }
     }
-    QCOMPARE(file.notes.size(), 1U);
-    QVERIFY(contains(file.notes[0], "were split into"));
-    QVERIFY(contains(file.notes[0], "36 quadrilaterals into triangles") || quads != 36);
+    QCOMPARE(file.changes.size(), 1U);
+    QVERIFY(contains(file.changes[0], "were split into"));
+    QVERIFY(contains(file.changes[0], "36 quadrilaterals into triangles") || quads != 36);
 }
 
 void MixedMeshTest::turns_a_kind_of_cells_that_is_numbered_the_other_way() {
@@ -246,7 +246,7 @@ void MixedMeshTest::cuts_quadrilaterals_in_2d_where_they_allow_it() {
     QCOMPARE(mesh.patch[FaceId(0)], 5);
     complete_boundary(mesh);
     QVERIFY2(check(mesh).valid(), check(mesh).summary().c_str());
-    QCOMPARE(file.notes[0], std::string("1 quadrilateral were split into 2 triangles"));
+    QCOMPARE(file.changes[0], std::string("1 quadrilateral were split into 2 triangles"));
 }
 
 void MixedMeshTest::takes_cells_in_a_plane_as_2d() {
