@@ -386,7 +386,8 @@ private:
 } // namespace
 
 bool recognises(std::string_view bytes) {
-    return bytes.substr(4, 12) == "ADF Database" || bytes.substr(0, 8) == "\x89HDF\r\n\x1a\n";
+    constexpr std::string_view adf = "ADF Database";
+    return bytes.substr(0, 16).find(adf) == 4 || bytes.substr(0, 8) == "\x89HDF\r\n\x1a\n";
 }
 
 MeshFile read(const Source& source) {

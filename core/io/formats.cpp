@@ -15,6 +15,9 @@
 #include "core/io/su2.h"
 #include "core/io/tetgen_files.h"
 #include "core/io/ugrid.h"
+#ifdef AMECO_WITH_VTK
+#include "core/io/vtk.h"
+#endif
 
 namespace ameco {
 namespace {
@@ -229,6 +232,38 @@ void add_cgns(std::vector<Format>& table) {
 #endif
 }
 
+void add_vtk(std::vector<Format>& table) {
+    Format vtu{.name = "vtu",
+               .title = "VTK XML",
+               .suffixes = {".vtu"},
+               .keeps = both | keeps_surfaces | named | keeps_regions | keeps_curves | keeps_labels,
+               .remark = not_built};
+    Format legacy{.name = "vtk",
+                  .title = "VTK legacy",
+                  .suffixes = {".vtk"},
+                  .keeps = both | keeps_surfaces,
+                  .remark = not_built};
+    Format collection{.name = "pvd",
+                      .title = "VTK collection",
+                      .suffixes = {".pvd"},
+                      .keeps = vtu.keeps,
+                      .remark = not_built};
+#ifdef AMECO_WITH_VTK
+    vtu.remark = "labels in cell arrays region, patch, curve";
+    vtu.recognises = vtk::recognises_vtu;
+    vtu.read = vtk::read_vtu;
+    vtu.write_2d = vtk::write_vtu<2>;
+    vtu.write_3d = vtk::write_vtu<3>;
+    legacy.remark = "labels where an array of a known name has them";
+    legacy.recognises = vtk::recognises_legacy;
+    legacy.read = vtk::read_legacy;
+    collection.remark = "the first file is read";
+    collection.recognises = vtk::recognises_pvd;
+    collection.read = vtk::read_pvd;
+#endif
+    table.insert(table.end(), {vtu, legacy, collection});
+}
+
 std::vector<Format> make_table() {
     std::vector<Format> table;
     add_medit(table);
@@ -236,6 +271,7 @@ std::vector<Format> make_table() {
     add_solvers(table);
     add_gmsh(table);
     add_cgns(table);
+    add_vtk(table);
     return table;
 }
 

@@ -49,7 +49,8 @@ struct TensorFile {
 };
 
 struct ReadOptions {
-    bool surfaces = false; ///< accept a surface without elements, as a Mesh<3> of faces
+    bool surfaces = false;    ///< accept a surface without elements, as a Mesh<3> of faces
+    bool from_memory = false; ///< the content is not in a file of that name
 };
 
 struct WriteOptions {
