@@ -5,6 +5,7 @@
 /// from it.
 #pragma once
 
+#include "core/io/file_bytes.h"
 #include "core/io/io.h"
 
 #include <array>
@@ -21,6 +22,7 @@ struct Source {
     std::string name;           ///< of the file, for messages
     std::string_view bytes;     ///< the content, unpacked
     ReadOptions options;
+    const FileBytes* file = nullptr; ///< where `bytes` lie, if they were not made in memory
 };
 
 /// What a format can hold, as a sum.

@@ -28,7 +28,7 @@ constexpr unsigned all_of_medit =
     both | keeps_surfaces | named | keeps_regions | keeps_curves | keeps_features | keeps_labels;
 
 MeshFile read_gmf(const Source& source) {
-    return *gmf::read_mesh(source.bytes, source.name, source.options);
+    return *gmf::read_mesh(source.bytes, source.name, source.options, source.file);
 }
 TensorFile read_gmf_tensors(const Source& source) {
     return *gmf::read_tensors(source.bytes, source.name);

@@ -256,6 +256,9 @@ void BinaryReader::read_points(const Section& section, std::span<double> coordin
             if (any) {
                 any_label = true;
             }
+            if (!any_label) { // they are needed for a second look
+                forget(section.rows + begin * row_bytes, section.rows + end * row_bytes);
+            }
         });
         const auto label_of = [&](std::size_t i) {
             return L::integer(section.rows + i * row_bytes + d * L::real_bytes);
@@ -300,6 +303,7 @@ void BinaryReader::read_cells(const Section& section, std::int64_t node_count,
                     return;
                 }
             }
+            forget(section.rows + begin * row_bytes, section.rows + end * row_bytes);
         });
         if (bad.found()) {
             const char* row = section.rows + bad.row() * row_bytes;

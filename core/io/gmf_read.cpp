@@ -233,11 +233,12 @@ void read_cells(Reader& reader, const ReadOptions& options, MeshFile& file) {
 } // namespace
 
 std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name,
-                                  const ReadOptions& options) {
+                                  const ReadOptions& options, const FileBytes* mapped) {
     const std::unique_ptr<Reader> reader = open_reader(bytes, name);
     if (!reader) {
         return std::nullopt;
     }
+    reader->set_file(mapped);
     MeshFile file;
     if (reader->dimension() == 3) {
         read_cells<3>(*reader, options, file);

@@ -54,13 +54,13 @@ File with_compression(File file, const FileBytes& bytes) {
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
     const FileBytes bytes(path);
-    const Source source{path, path.string(), bytes.view(), options};
+    const Source source{path, path.string(), bytes.view(), options, &bytes};
     return with_compression(format_of(source, false).read(source), bytes);
 }
 
 TensorFile read_tensors(const std::filesystem::path& path) {
     const FileBytes bytes(path);
-    const Source source{path, path.string(), bytes.view(), {}};
+    const Source source{path, path.string(), bytes.view(), {}, &bytes};
     return with_compression(format_of(source, true).read_tensors(source), bytes);
 }
 

@@ -179,7 +179,7 @@ MeshFile read_meta(const Source& source) {
         throw InputError(source.name + ": names no mesh; a line { M: file.t } is missing");
     }
     const FileBytes bytes(meta.mesh);
-    MeshFile file = read({meta.mesh, meta.mesh.string(), bytes.view(), source.options});
+    MeshFile file = read({meta.mesh, meta.mesh.string(), bytes.view(), source.options, &bytes});
     file.format = "MTC meta-file, " + file.format;
     if (!meta.metric.empty()) {
         file.notes.push_back("its metric is " + meta.metric.string());
@@ -193,7 +193,7 @@ TensorFile read_meta_tensors(const Source& source) {
         throw InputError(source.name + ": names no metric; a line { Metrique: file } is missing");
     }
     const FileBytes bytes(meta.metric);
-    return read_tensors({meta.metric, meta.metric.string(), bytes.view(), {}});
+    return read_tensors({meta.metric, meta.metric.string(), bytes.view(), {}, &bytes});
 }
 
 MeshFile read(const Source& source) {

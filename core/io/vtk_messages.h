@@ -12,6 +12,9 @@
 
 namespace ameco::vtk {
 
+/// Field array of our files: bytes of text, a line of number and name for each patch.
+inline constexpr const char* patch_names_array = "patch_names";
+
 /// Keeps the first error that VTK reports, and shows none.
 class MessageCatcher : public vtkOutputWindow {
 public:

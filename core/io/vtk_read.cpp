@@ -20,7 +20,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
-#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 namespace ameco::vtk {
@@ -181,18 +181,21 @@ private:
         return false;
     }
 
-    /// Rows of the number of a patch and its name.
     void read_names() {
-        auto* names =
-            vtkStringArray::SafeDownCast(grid_.GetFieldData()->GetAbstractArray("patch_names"));
-        for (vtkIdType i = 0; names != nullptr && i < names->GetNumberOfValues(); ++i) {
-            const std::string row = names->GetValue(i);
-            int patch = 0;
-            const char* last = row.data() + row.size();
-            const auto [rest, error] = std::from_chars(row.data(), last, patch);
-            if (error == std::errc{} && rest != last) {
-                mixed_.face_names[patch] = std::string(rest + 1, last);
-                mixed_.line_names[patch] = std::string(rest + 1, last);
+        auto* bytes = vtkUnsignedCharArray::SafeDownCast(
+            grid_.GetFieldData()->GetAbstractArray(patch_names_array));
+        if (bytes == nullptr) {
+            return;
+        }
+        const std::string_view text(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                                    static_cast<std::size_t>(bytes->GetNumberOfValues()));
+        TextScanner rows(text, source_.name, '\0', TextScanner::Rows::lines);
+        while (rows.next_row()) {
+            const std::int64_t patch = rows.integer([] { return "names of patches: "; });
+            if (patch == static_cast<std::int32_t>(patch)) {
+                const std::string name(rows.take_line());
+                mixed_.face_names[static_cast<int>(patch)] = name;
+                mixed_.line_names[static_cast<int>(patch)] = name;
             }
         }
     }
@@ -326,7 +329,7 @@ MeshFile read_pvd(const Source& source) {
         source.path.parent_path() /
         std::string(source.bytes.substr(at + key.size(), end - at - key.size()));
     const FileBytes bytes(path);
-    MeshFile file = read_vtu({path, path.string(), bytes.view(), source.options});
+    MeshFile file = read_vtu({path, path.string(), bytes.view(), source.options, &bytes});
     file.format = "VTK collection, " + file.format;
     file.notes.push_back("read its first file, " + path.filename().string());
     return file;

@@ -6,6 +6,8 @@
 #include "core/io/patch_names.h"
 #include "core/io/vtk_messages.h"
 
+#include <algorithm>
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -14,7 +16,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -91,15 +92,20 @@ void add_points(const Mesh<D>& mesh, vtkUnstructuredGrid& grid) {
     }
 }
 
+/// As bytes of text, since meshio does not read files with arrays of strings.
 void add_names(const std::map<int, std::string>& names, vtkUnstructuredGrid& grid) {
-    vtkNew<vtkStringArray> rows;
-    rows->SetName("patch_names");
+    std::string rows;
     for (const auto& [patch, name] : names) {
-        rows->InsertNextValue(std::to_string(patch) + " " + name);
+        rows += std::to_string(patch) + " " + name + "\n";
     }
-    if (!names.empty()) {
-        grid.GetFieldData()->AddArray(rows);
+    if (rows.empty()) {
+        return;
     }
+    vtkNew<vtkUnsignedCharArray> bytes;
+    bytes->SetName(patch_names_array);
+    bytes->SetNumberOfValues(static_cast<vtkIdType>(rows.size()));
+    std::copy(rows.begin(), rows.end(), bytes->GetPointer(0));
+    grid.GetFieldData()->AddArray(bytes);
 }
 
 } // namespace

@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static const ameco::Format& format = fuzzed_format();
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const ameco::Source source{
-        "/nowhere/fuzz", "fuzz", bytes, {.surfaces = true, .from_memory = true}};
+        "/nowhere/fuzz", "fuzz", bytes, {.surfaces = true, .from_memory = true}, nullptr};
     if (format.read != nullptr) {
         read([&] { static_cast<void>(format.read(source)); });
     } else {

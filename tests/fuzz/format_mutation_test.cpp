@@ -95,7 +95,8 @@ void FormatMutationTest::ends_in_an_error_or_a_mesh() {
         const Source source{"/nowhere/damaged" + suffix.toStdString(),
                             "damaged",
                             bytes,
-                            {.surfaces = true, .from_memory = true}};
+                            {.surfaces = true, .from_memory = true},
+                            nullptr};
         const std::int64_t before = allocations.live;
         allocations.reset();
         try {
