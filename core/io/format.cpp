@@ -92,7 +92,10 @@ std::string suffix_list(bool metric, bool to_write) {
 template <int D>
 std::vector<std::string> losses(const Format& format, const Mesh<D>& mesh) {
     const auto lacks = [&](Keeps what) { return (format.keeps & what) == 0; };
-    if (lacks(D == 2 ? keeps_2d : mesh.elements.empty() ? keeps_surfaces : keeps_3d)) {
+    const bool boundary_only = format.keeps == keeps_surfaces; // of a mesh with volume, too
+    if (lacks(D == 2                                   ? keeps_2d
+              : mesh.elements.empty() || boundary_only ? keeps_surfaces
+                                                       : keeps_3d)) {
         throw UsageError("the format " + std::string(format.title) + " cannot hold a " +
                          (D == 2                  ? "2-D mesh"
                           : mesh.elements.empty() ? "surface"

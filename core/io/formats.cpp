@@ -13,6 +13,9 @@
 #include "core/io/gmsh.h"
 #include "core/io/mtc.h"
 #include "core/io/su2.h"
+#ifdef AMECO_WITH_OPENMESH
+#include "core/io/surface_files.h"
+#endif
 #include "core/io/tetgen_files.h"
 #include "core/io/ugrid.h"
 #ifdef AMECO_WITH_VTK
@@ -264,6 +267,48 @@ void add_vtk(std::vector<Format>& table) {
     table.insert(table.end(), {vtu, legacy, collection});
 }
 
+#ifdef AMECO_WITH_OPENMESH
+/// The suffix is a template argument, since the table holds plain functions.
+enum class SurfaceKind { stl, obj, ply, off };
+constexpr std::array<const char*, 4> surface_suffixes{"stl", "obj", "ply", "off"};
+
+template <SurfaceKind kind>
+MeshFile read_surface(const Source& source) {
+    return surface_files::read(source, surface_suffixes[static_cast<std::size_t>(kind)]);
+}
+template <SurfaceKind kind>
+std::vector<std::string> write_surface(const std::filesystem::path& path, const Mesh<3>& mesh,
+                                       const WriteOptions&) {
+    return surface_files::write(path, surface_suffixes[static_cast<std::size_t>(kind)], mesh);
+}
+#endif
+
+void add_surfaces(std::vector<Format>& table) {
+    const std::size_t first = table.size();
+    for (const auto& [name, title, suffix] : {std::array<std::string_view, 3>{"stl", "STL", ".stl"},
+                                              {"obj", "OBJ", ".obj"},
+                                              {"ply", "PLY", ".ply"},
+                                              {"off", "OFF", ".off"}}) {
+        table.push_back({.name = name,
+                         .title = title,
+                         .suffixes = {suffix},
+                         .keeps = keeps_surfaces,
+                         .remark = not_built});
+    }
+#ifdef AMECO_WITH_OPENMESH
+    const auto add = [&](std::size_t at, auto read, auto write) {
+        table[first + at].remark = "32-bit coordinates; of a mesh with volume, the boundary";
+        table[first + at].read = read;
+        table[first + at].write_3d = write;
+    };
+    add(0, read_surface<SurfaceKind::stl>, write_surface<SurfaceKind::stl>);
+    add(1, read_surface<SurfaceKind::obj>, write_surface<SurfaceKind::obj>);
+    add(2, read_surface<SurfaceKind::ply>, write_surface<SurfaceKind::ply>);
+    add(3, read_surface<SurfaceKind::off>, write_surface<SurfaceKind::off>);
+#endif
+    static_cast<void>(first);
+}
+
 std::vector<Format> make_table() {
     std::vector<Format> table;
     add_medit(table);
@@ -272,6 +317,7 @@ std::vector<Format> make_table() {
     add_gmsh(table);
     add_cgns(table);
     add_vtk(table);
+    add_surfaces(table);
     return table;
 }
 
