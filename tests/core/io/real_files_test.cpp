@@ -129,7 +129,7 @@ void RealFilesTest::reads_other_formats_data() {
     QTest::newRow("sphere, mixed") << "sphere_slice_mixed.su2" << 5750 << 24798 << 6116 << 4
                                    << "symmetry_left";
     QTest::newRow("brick, tabs") << "brick_tets.su2" << 11703 << 59156 << 7372 << 6 << "x_m";
-    QTest::newRow("cylinder") << "cube-cylinder.ugrid" << 395 << 1937 << 296 << 12 << "";
+    QTest::newRow("cylinder") << "cube-cylinder.ugrid" << 395 << 1937 << 296 << 7 << "";
     QTest::newRow("wedge, ADF") << "wedge2d.cgns" << 3750 << 2 * 3626 << 246 << 4 << "inlet";
     QTest::newRow("jet, surface") << "falcon_full_surface.msh" << 37375 << 0 << 74754 << 29 << "";
 }
