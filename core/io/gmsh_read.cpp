@@ -112,7 +112,8 @@ private:
                        : text_.real([&] { return where(); });
     }
     int label(std::int64_t value) const {
-        if (std::abs(value) > std::numeric_limits<std::int32_t>::max()) {
+        constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+        if (value < -most || value > most) {
             text_.fail_here(where() + "the tag " + std::to_string(value) +
                             " does not fit into 32 bits");
         }
@@ -329,6 +330,8 @@ private:
             mixed_.points = std::move(points);
             tags_ = std::move(tags);
         }
+        contiguous_ = !tags_.empty() && tags_.front() > 0 &&
+                      tags_.back() - tags_.front() == static_cast<std::int64_t>(tags_.size()) - 1;
         if (const auto twice = std::adjacent_find(tags_.begin(), tags_.end());
             twice != tags_.end()) {
             text_.fail_here("the node " + std::to_string(*twice) + " occurs twice");
@@ -337,8 +340,7 @@ private:
 
     NodeId node_of(std::int64_t tag) const {
         if (!tags_.empty() && tag >= tags_.front() && tag <= tags_.back()) {
-            const auto n = static_cast<std::int64_t>(tags_.size());
-            if (tags_.back() - tags_.front() == n - 1) {
+            if (contiguous_) {
                 return NodeId(static_cast<std::size_t>(tag - tags_.front()));
             }
             const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
@@ -500,6 +502,7 @@ private:
     std::int64_t row_ = -1; ///< in the section, for messages
     MixedMesh<3> mixed_;
     std::vector<std::int64_t> tags_; ///< of the nodes, ascending
+    bool contiguous_ = false;        ///< whether the tags have no gaps
     std::array<Tags, cell_type_count> cell_tags_;
     std::array<std::map<int, std::string>, 4> names_;               ///< by dimension
     std::map<std::pair<std::int64_t, std::int64_t>, int> physical_; ///< of (dimension, entity)
