@@ -126,8 +126,8 @@ void RealFilesTest::reads_other_formats_data() {
     QTest::addColumn<int>("patches");
     QTest::addColumn<QString>("first_name");
     // 7950 prisms in 3 tets each, 318 pyramids in 2, 312 tets; 192 quadrilaterals in 2 triangles.
-    QTest::newRow("sphere, mixed") << "sphere_slice_mixed.su2" << 5750 << 24798 << 6116 << 4
-                                   << "symmetry_left";
+    QTest::newRow("sphere, mixed")
+        << "sphere_slice_mixed.su2" << 5750 << 24798 << 6116 << 4 << "symmetry_left";
     QTest::newRow("brick, tabs") << "brick_tets.su2" << 11703 << 59156 << 7372 << 6 << "x_m";
     QTest::newRow("cylinder") << "cube-cylinder.ugrid" << 395 << 1937 << 296 << 7 << "";
     QTest::newRow("wedge, ADF") << "wedge2d.cgns" << 3750 << 2 * 3626 << 246 << 4 << "inlet";
