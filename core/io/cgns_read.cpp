@@ -4,6 +4,7 @@
 #include "core/io/cgns_library.h"
 #include "core/io/mixed_mesh.h"
 #include "core/io/patch_names.h"
+#include "core/io/trial_run.h"
 
 #include <algorithm>
 #include <charconv>
@@ -390,7 +391,9 @@ bool recognises(std::string_view bytes) {
     return bytes.substr(0, 16).find(adf) == 4 || bytes.substr(0, 8) == "\x89HDF\r\n\x1a\n";
 }
 
-MeshFile read(const Source& source) {
+namespace {
+
+MeshFile read_now(const Source& source) {
     File file(source.path, CG_MODE_READ, source.name);
     int bases = 0;
     file.require(cg_nbases(file.id(), &bases), "its bases cannot be counted");
@@ -415,6 +418,14 @@ MeshFile read(const Source& source) {
         result.notes.push_back("read the first of " + std::to_string(bases) + " bases");
     }
     return result;
+}
+
+} // namespace
+
+MeshFile read(const Source& source) {
+    require_survival(source.name, "libcgns", static_cast<std::int64_t>(source.bytes.size()),
+                     [&] { static_cast<void>(read_now(source)); });
+    return read_now(source);
 }
 
 } // namespace ameco::cgns

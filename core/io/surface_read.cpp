@@ -3,6 +3,7 @@
 
 #include "core/io/byte_order.h"
 #include "core/io/mixed_mesh.h"
+#include "core/io/trial_run.h"
 
 #include <algorithm>
 #include <istream>
@@ -181,6 +182,10 @@ bool read_stream(const Source& source, const std::string& suffix, Importer& impo
 MeshFile read(const Source& source, const std::string& suffix) {
     omerr().disable();
     omlog().disable();
+    require_survival(source.name, "OpenMesh", static_cast<std::int64_t>(source.bytes.size()), [&] {
+        Importer trial;
+        read_stream(source, suffix, trial);
+    });
     Importer importer;
     if (!read_stream(source, suffix, importer)) {
         fail(source, suffix);

@@ -4,6 +4,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/mixed_mesh.h"
 #include "core/io/text_scanner.h"
+#include "core/io/trial_run.h"
 #include "core/io/vtk_messages.h"
 
 #include <charconv>
@@ -261,6 +262,29 @@ MeshFile read_with(Reader& reader, const Source& source) {
     }
 }
 
+MeshFile convert_vtu(const Source& source) {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    if (source.options.from_memory) {
+        reader->ReadFromInputStringOn();
+        reader->SetInputString(std::string(source.bytes));
+    } else {
+        reader->SetFileName(source.path.c_str());
+    }
+    return read_with(*reader, source);
+}
+
+MeshFile convert_legacy(const Source& source) {
+    vtkNew<vtkDataSetReader> reader;
+    reader->ReadAllScalarsOn();
+    if (source.options.from_memory) {
+        reader->ReadFromInputStringOn();
+        reader->SetInputString(source.bytes.data(), static_cast<int>(source.bytes.size()));
+    } else {
+        reader->SetFileName(source.path.c_str());
+    }
+    return read_with(*reader, source);
+}
+
 } // namespace
 
 bool recognises_vtu(std::string_view bytes) {
@@ -287,14 +311,8 @@ MeshFile read_vtu(const Source& source) {
     check_counts(source, "NumberOfCells=", most);
     check_counts(source, "NumberOfTuples=", most);
     check_counts(source, "NumberOfComponents=", most);
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    if (source.options.from_memory) {
-        reader->ReadFromInputStringOn();
-        reader->SetInputString(std::string(source.bytes));
-    } else {
-        reader->SetFileName(source.path.c_str());
-    }
-    MeshFile file = read_with(*reader, source);
+    require_survival(source.name, "VTK", most, [&] { static_cast<void>(convert_vtu(source)); });
+    MeshFile file = convert_vtu(source);
     file.format = "VTK XML (.vtu)";
     return file;
 }
@@ -305,15 +323,8 @@ MeshFile read_legacy(const Source& source) {
                             "CELL_DATA ", "OFFSETS ", "VERTICES ", "LINES "}) {
         check_counts(source, key, bytes);
     }
-    vtkNew<vtkDataSetReader> reader;
-    reader->ReadAllScalarsOn();
-    if (source.options.from_memory) {
-        reader->ReadFromInputStringOn();
-        reader->SetInputString(source.bytes.data(), static_cast<int>(source.bytes.size()));
-    } else {
-        reader->SetFileName(source.path.c_str());
-    }
-    MeshFile file = read_with(*reader, source);
+    require_survival(source.name, "VTK", bytes, [&] { static_cast<void>(convert_legacy(source)); });
+    MeshFile file = convert_legacy(source);
     file.format = "VTK legacy (.vtk)";
     return file;
 }

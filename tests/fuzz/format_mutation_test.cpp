@@ -17,6 +17,8 @@ private slots:
     void ends_in_an_error_or_a_mesh();
     void survives_damage_to_each_of_several_files_data();
     void survives_damage_to_each_of_several_files();
+    void survives_what_libraries_do_to_damaged_files_data();
+    void survives_what_libraries_do_to_damaged_files();
 };
 
 namespace {
@@ -145,6 +147,41 @@ void FormatMutationTest::survives_damage_to_each_of_several_files() {
             QVERIFY(std::string(error.what()).find(folder.path().string()) == 0);
         }
     }
+}
+
+void FormatMutationTest::survives_what_libraries_do_to_damaged_files_data() {
+    QTest::addColumn<QString>("suffix");
+    for (const char* name : {"cgns", "vtu", "stl", "obj", "ply", "off"}) {
+        if (format_of_name(name)->reads()) {
+            QTest::newRow(name) << QString(".") + name;
+        }
+    }
+    if (format_of_name("cgns-adf")->reads()) {
+        QTest::newRow("cgns-adf") << QString(".adf.cgns");
+    }
+}
+
+/// They are read in a trial first, so that a crash is not ours.
+void FormatMutationTest::survives_what_libraries_do_to_damaged_files() {
+    QFETCH(QString, suffix);
+    const Folder folder;
+    const auto path = folder / ("a" + suffix.toStdString());
+    static_cast<void>(
+        write_mesh(path, seed_mesh<3>(), {.format = suffix == ".adf.cgns" ? "cgns-adf" : ""}));
+    const std::string whole = content_of(path);
+    Random random(22);
+    int failures = 0;
+    for (int i = 0; i < 150; ++i) {
+        const auto bad =
+            folder.file("bad" + suffix.toStdString(), damaged(whole, random, is_text(whole)));
+        try {
+            static_cast<void>(read_mesh(bad, {.surfaces = true}));
+        } catch (const Error& error) {
+            QVERIFY2(std::string(error.what()).find(bad.string() + ": ") == 0, error.what());
+            ++failures;
+        }
+    }
+    QVERIFY(failures > 0);
 }
 
 QTEST_APPLESS_MAIN(FormatMutationTest)
