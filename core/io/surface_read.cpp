@@ -6,6 +6,7 @@
 #include "core/io/trial_run.h"
 
 #include <algorithm>
+#include <iostream>
 #include <istream>
 #include <new>
 #include <stdexcept>
@@ -129,6 +130,24 @@ protected:
 
 namespace {
 
+/// OpenMesh reports to streams of its own, and here and there to std::cerr.
+class Silence {
+public:
+    Silence() : before_(std::cerr.rdbuf(nullptr)) {
+        omerr().disable();
+        omlog().disable();
+    }
+    ~Silence() {
+        std::cerr.rdbuf(before_);
+        std::cerr.clear(); // writing to nowhere has failed
+    }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+private:
+    std::streambuf* before_;
+};
+
 [[noreturn]] void fail(const Source& source, const std::string& suffix) {
     throw InputError(source.name + ": cannot be read as " + suffix +
                      "; it is truncated, damaged, or of another format");
@@ -180,8 +199,7 @@ bool read_stream(const Source& source, const std::string& suffix, Importer& impo
 } // namespace
 
 MeshFile read(const Source& source, const std::string& suffix) {
-    omerr().disable();
-    omlog().disable();
+    const Silence silence;
     require_survival(source.name, "OpenMesh", static_cast<std::int64_t>(source.bytes.size()), [&] {
         Importer trial;
         read_stream(source, suffix, trial);
