@@ -112,7 +112,7 @@ public:
 
     ExitCode run(Session& session) override {
         require_usable_folder();
-        options_.coarsen.mean = mean_from_name(mean_);
+        options_.coarsen.mean = chosen_mean(mean_);
         ReadyMesh input =
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
         return std::visit(
@@ -132,7 +132,7 @@ private:
             ->check(greater_than(1))
             ->capture_default_str()
             ->group(group);
-        add_slack_option(app, coarsen.target)->group(group);
+        add_target_options(app, coarsen.target, group);
         add_mean_option(app, mean_)->group(group);
         app.add_option("--surface-deviation", coarsen.removal.surface.relative_distance,
                        "how far the boundary may move, over the local size of the surface mesh")

@@ -5,9 +5,14 @@
 #include "app/cli/report.h"
 #include "core/coarsen/coarsen.h"
 #include "core/hierarchy/statistics_json.h"
+#include "core/io/atomic_file.h"
 #include "core/metric/complexity.h"
+#include "core/metric/mean_comparison.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdint>
 
 namespace ameco::cli {
 namespace {
@@ -28,30 +33,46 @@ public:
         return {
             "metric",
             "Compute the natural metric of a mesh, or the metric of its next coarser level.",
-            "metric MESH -o METRIC [options]",
+            "metric MESH -o FILE [options]",
             {{"metric wing.meshb -o wing.solb", "the metric in which the mesh is unit"},
              {"metric wing.meshb --coarsen 2 -o coarse.solb", "the metric ameco coarsen aims at"},
-             {"metric wing.meshb --mean log-euclidean -o wing.solb", "another mean"}},
+             {"metric wing.meshb --mean log-euclidean -o wing.solb", "another mean"},
+             {"metric wing.meshb --compare 12 -o balls.svg",
+              "all means at one node, as a table and a picture"}},
             "A node that no element uses gets the size of the whole mesh, so that the file has "
-            "one tensor per node of the mesh file."};
+            "one tensor per node of the mesh file.\n"
+            "--compare: turn and distance are those to the corrected mean, the distance the "
+            "invariant one (two metrics whose sizes differ by 1 % are about 0.02 apart)."};
     }
 
     void add_options(CLI::App& app) override {
         app.add_option("MESH", mesh_, "mesh (.mesh, .meshb)")->required();
-        app.add_option("-o,--output", output_, "metric to write (.solb, .sol)")
-            ->type_name("METRIC")
-            ->required();
+        app.add_option("-o,--output", output_,
+                       "metric to write (.solb, .sol); with --compare a picture (.svg)")
+            ->type_name("FILE");
         add_mean_option(app, mean_);
         app.add_option("--coarsen", target_.factor,
                        "write the metric of the next coarser level: coarse size over fine size, "
                        "greater than 1 [off]")
             ->type_name("C")
             ->check(greater_than(1));
-        add_slack_option(app, target_);
+        add_target_options(app, target_, "Options");
         coarsen_ = app.get_option("--coarsen");
+        compare_ = app.add_option("--compare", node_,
+                                  "compare all means at this node of the mesh file, counted from "
+                                  "0, instead of writing a metric")
+                       ->type_name("NODE")
+                       ->check(whole_number(0, INT32_MAX))
+                       ->excludes(coarsen_);
     }
 
     ExitCode run(Session& session) override {
+        if (compare_->count() > 0) {
+            return run_comparison(session);
+        }
+        if (output_.empty()) {
+            throw UsageError("--output is missing (see ameco metric --help)");
+        }
         require_suffix(output_, {".solb", ".sol"});
         refuse_overwriting(mesh_, output_);
         MeshFile file = load_mesh(mesh_, session);
@@ -67,15 +88,111 @@ public:
     }
 
 private:
+    ExitCode run_comparison(Session& session) const {
+        if (!output_.empty()) {
+            require_suffix(output_, {".svg"});
+        }
+        MeshFile file = load_mesh(mesh_, session);
+        std::visit([&](auto& mesh) { compare(mesh, session); }, file.mesh);
+        return ExitCode::ok;
+    }
+
     template <int D>
-    MetricSummary compute(Mesh<D>& mesh, Session& session) const {
+    void compare(Mesh<D>& mesh, Session& session) const {
         const std::vector<bool> used = used_nodes(mesh);
+        require_valid(mesh);
+        const auto wanted = static_cast<std::size_t>(node_);
+        if (wanted >= used.size() || !used[wanted]) {
+            throw UsageError("--compare " + std::to_string(node_) + ": " +
+                             (wanted >= used.size()
+                                  ? mesh_ + " has the nodes 0 to " + std::to_string(used.size() - 1)
+                                  : "no element uses this node"));
+        }
+        // Nodes that no element uses have left the mesh.
+        const auto place = std::count(used.begin(), used.begin() + node_, true);
+        MeanComparison<D> comparison = compare_means(mesh, NodeId(static_cast<std::size_t>(place)));
+        comparison.node = NodeId(wanted);
+        session.monitor.clear_line();
+        if (!output_.empty()) {
+            const std::string picture = unit_balls_svg(comparison);
+            AtomicFile out(output_);
+            out.write(picture.data(), picture.size());
+            out.commit();
+        }
+        if (session.json) {
+            print_json(session.out, comparison);
+        } else {
+            print(session.out, comparison);
+        }
+    }
+
+    template <int D>
+    void print(std::ostream& out, const MeanComparison<D>& c) const {
+        out << mesh_ << ": node " << c.node.value() << ", "
+            << plural(static_cast<std::int64_t>(c.elements.size()), "element") << '\n';
+        std::vector<Table::Column> columns{{"mean", Table::Align::left}};
+        for (int k = 1; k <= D; ++k) {
+            columns.push_back({"h" + std::to_string(k)});
+        }
+        columns.push_back({"AR"});
+        columns.push_back({"turn [deg]"});
+        columns.push_back({"distance"});
+        Table table(columns);
+        for (const ComparedMean<D>& m : c.means) {
+            std::vector<std::string> row{std::string(name(m.mean))};
+            if (m.failure.empty()) {
+                for (const double h : m.metric.sizes) {
+                    row.push_back(number_text(h));
+                }
+                row.push_back(number_text(aspect_ratio(m.metric)));
+                // Below this it is rounding.
+                row.push_back(number_text(m.turn_deg < 1e-9 ? 0 : m.turn_deg, 3));
+                row.push_back(number_text(m.distance < 1e-9 ? 0 : m.distance, 3));
+            } else {
+                row.push_back(m.failure);
+                row.resize(columns.size());
+            }
+            table.add_row(std::move(row));
+        }
+        table.print(out);
+    }
+
+    template <int D>
+    void print_json(std::ostream& out, const MeanComparison<D>& c) const {
+        Json means = Json::array();
+        for (const ComparedMean<D>& m : c.means) {
+            Json row = {{"mean", name(m.mean)}};
+            if (m.failure.empty()) {
+                row["sizes"] = std::vector<double>(m.metric.sizes.begin(), m.metric.sizes.end());
+                row["aspect_ratio"] = aspect_ratio(m.metric);
+                row["turn_deg"] = m.turn_deg;
+                row["distance"] = m.distance;
+            } else {
+                row["failure"] = m.failure;
+            }
+            means.push_back(std::move(row));
+        }
+        const Json json = {{"mesh", mesh_},
+                           {"node", c.node.value()},
+                           {"elements", c.elements.size()},
+                           {"means", std::move(means)}};
+        out << json.dump(2) << '\n';
+    }
+
+    template <int D>
+    void require_valid(Mesh<D>& mesh) const {
         complete_boundary(mesh, FeatureOptions{}.ridge_angle_deg);
         if (const CheckReport report = check(mesh); !report.valid()) {
             throw InputError(mesh_ + ": not a valid mesh: " + report.summary());
         }
+    }
+
+    template <int D>
+    MetricSummary compute(Mesh<D>& mesh, Session& session) const {
+        const std::vector<bool> used = used_nodes(mesh);
+        require_valid(mesh);
         MonitorPart part(session.monitor, 0.1, 0.9);
-        MetricField<D> field = nodal_metric(mesh, mean_from_name(mean_), part);
+        MetricField<D> field = nodal_metric(mesh, chosen_mean(mean_), part);
         MetricSummary s;
         s.dimension = D;
         s.nodes = static_cast<std::int64_t>(mesh.points.size());
@@ -83,7 +200,7 @@ private:
         s.complexity = complexity(mesh, field);
         s.predicted_nodes = static_cast<double>(s.nodes);
         if (coarsen_->count() > 0) {
-            field = target_metric(field, target_);
+            field = target_metric(mesh, field, target_);
             const double coarse = complexity(mesh, field);
             s.predicted_nodes *= coarse / s.complexity;
             s.complexity = coarse;
@@ -173,7 +290,9 @@ private:
     std::string output_;
     std::string mean_ = std::string(name(Mean::corrected));
     TargetOptions target_;
+    int node_ = 0;
     CLI::Option* coarsen_ = nullptr;
+    CLI::Option* compare_ = nullptr;
 };
 
 } // namespace

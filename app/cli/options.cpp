@@ -36,8 +36,6 @@ CLI::Validator finite_number(std::function<bool(double)> accepts, const std::str
     });
 }
 
-constexpr std::array means{Mean::corrected, Mean::interpolation, Mean::log_euclidean};
-
 } // namespace
 
 CLI::Validator whole_number(long low, long high) {
@@ -77,35 +75,57 @@ CLI::Validator one_of(std::vector<std::string> words) {
 
 CLI::Option* add_mean_option(CLI::App& app, std::string& mean) {
     std::vector<std::string> names;
-    for (const Mean m : means) {
+    std::string list;
+    for (const Mean m : all_means) {
         names.emplace_back(name(m));
+        list += (list.empty() ? "" : ", ") + names.back();
     }
     return app
-        .add_option("--mean", mean,
-                    "how the metrics of the elements at a node become one: corrected, "
-                    "interpolation, log-euclidean")
+        .add_option("--mean", mean, "how the metrics of the elements at a node become one: " + list)
         ->type_name("NAME")
         ->check(one_of(names))
         ->capture_default_str();
 }
 
-Mean mean_from_name(const std::string& text) {
-    const auto* const found =
-        std::find_if(means.begin(), means.end(), [&](Mean m) { return name(m) == text; });
-    if (found == means.end()) {
+Mean chosen_mean(const std::string& text) {
+    const std::optional<Mean> mean = mean_from_name(text);
+    if (!mean) {
         throw UsageError("--mean " + text + ": not a mean");
     }
-    return *found;
+    return *mean;
 }
 
-CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target) {
-    return app
-        .add_option("--slack", target.slack,
-                    "how far a size may pass the next smaller one, at least 1 (the paper has 1; "
-                    "more coarsens nearly isotropic regions fully)")
+void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group) {
+    app.add_option("--slack", target.slack,
+                   "how far a size may pass the next smaller one, at least 1 (the paper has 1; "
+                   "more coarsens nearly isotropic regions fully)")
         ->type_name("S")
         ->check(number_within(1, HUGE_VAL))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(group);
+    std::vector<std::string> names;
+    std::string list;
+    for (const TargetAlgorithm algorithm : all_target_algorithms) {
+        names.emplace_back(name(algorithm));
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    app.add_option_function<std::string>(
+           "--algorithm",
+           [&target](const std::string& text) {
+               target.algorithm = target_algorithm_from_name(text).value_or(target.algorithm);
+           },
+           "whether sizes take notice of those beside them: " + list)
+        ->type_name("NAME")
+        ->check(one_of(names))
+        ->default_str(std::string(name(target.algorithm)))
+        ->group(group);
+    app.add_option("--gradation", target.gradation,
+                   "with --algorithm graded: most growth of the coarse sizes over one fine edge, "
+                   "greater than 1")
+        ->type_name("BETA")
+        ->check(greater_than(1))
+        ->capture_default_str()
+        ->group(group);
 }
 
 } // namespace ameco::cli

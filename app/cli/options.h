@@ -23,10 +23,12 @@ namespace ameco::cli {
 /// Accepts one of the words.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
-/// Adds `--mean`; its value is converted by `mean_from_name`.
+/// Adds `--mean`; its value is converted by `chosen_mean`.
 CLI::Option* add_mean_option(CLI::App& app, std::string& mean);
-[[nodiscard]] Mean mean_from_name(const std::string& text);
+[[nodiscard]] Mean chosen_mean(const std::string& text);
 
-CLI::Option* add_slack_option(CLI::App& app, TargetOptions& target);
+/// Adds what decides the metric of the next level, but for the factor: `--slack`, `--algorithm`,
+/// `--gradation`.
+void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group);
 
 } // namespace ameco::cli

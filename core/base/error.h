@@ -51,6 +51,12 @@ public:
     explicit UsageError(const std::string& text) : Error(ExitCode::usage, text) {}
 };
 
+/// An iteration the user chose does not converge on the data given.
+class NotConverged : public Error {
+public:
+    explicit NotConverged(const std::string& text) : Error(ExitCode::check_failed, text) {}
+};
+
 /// The user asked to stop.
 class Cancelled : public Error {
 public:

@@ -83,9 +83,10 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     set_size_qualities(mesh, data.sizes);
-    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
-                                data.natural,     data.target,    data.short_size};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines};
+    RemovedNodes<D> removed(data.couplings, options.removal.interpolation_bound);
+    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes, data.natural,
+                                data.target,      data.short_size, removed};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = 1;
@@ -155,7 +156,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
                  Monitor& monitor) {
     report = {};
     Stopwatch watch;
-    const MetricField<D> target = target_metric(fine.natural, options.target);
+    const MetricField<D> target = target_metric(fine.mesh, fine.natural, options.target);
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     report.predicted_nodes = static_cast<double>(report.nodes_before) *

@@ -66,6 +66,9 @@ private:
                 continue;
             }
             last = propose(v, w, star_);
+            if (last == Verdict::accepted && !in_.removed.interpolated_well(mesh_, ball_, star_, v)) {
+                last = Verdict::weak_coupling;
+            }
             if (last == Verdict::accepted) {
                 commit(v, w);
                 lines_.remove(v);
@@ -86,14 +89,15 @@ private:
         for (const NodeId w : neighbours_) {
             const bool close = (!first_pass || state_.kept[w] != 0) && too_close(v, w);
             crowded = crowded || close;
-            if (!first_pass || (close && in_.couplings.between(v, w) >= strong)) {
+            const bool near = first_pass ? close : too_close(v, w, options_.later_reach);
+            if (near && in_.couplings.between(v, w) >= strong) {
                 candidates_.push_back(w);
             }
         }
         if (!crowded) {
             return false;
         }
-        if (candidates_.empty() || (!first_pass && !keeps_strong_neighbour(v, strong))) {
+        if (candidates_.empty()) {
             verdicts_.add(Verdict::weak_coupling);
             return false;
         }
@@ -102,17 +106,6 @@ private:
             return false;
         }
         return take_best(v);
-    }
-
-    bool keeps_strong_neighbour(NodeId v, float strong) const {
-        const auto neighbours = in_.couplings.neighbours[v];
-        const auto values = in_.couplings.at(v);
-        for (std::size_t i = 0; i < neighbours.size(); ++i) {
-            if (values[i] >= strong && !mesh_.is_removed(neighbours[i])) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /// The strongest coupling along which the geometry lets `v` leave: a node of the boundary may
@@ -137,7 +130,13 @@ private:
         NodeId best;
         Verdict first = Verdict::accepted;
         for (const NodeId w : candidates_) {
-            const Verdict verdict = propose(v, w, star_);
+            Verdict verdict = propose(v, w, star_);
+            if (verdict == Verdict::accepted && best.valid() && star_.worst_quality <= best_star_.worst_quality) {
+                continue;
+            }
+            if (verdict == Verdict::accepted && !in_.removed.interpolated_well(mesh_, ball_, star_, v)) {
+                verdict = Verdict::weak_coupling;
+            }
             if (verdict != Verdict::accepted) {
                 first = first == Verdict::accepted ? verdict : first;
             } else if (!best.valid() || star_.worst_quality > best_star_.worst_quality) {
@@ -150,6 +149,7 @@ private:
             return false;
         }
         std::swap(star_, best_star_);
+        (void)in_.removed.interpolated_well(mesh_, ball_, star_, v);
         commit(v, best);
         return true;
     }
@@ -161,7 +161,8 @@ private:
     }
 
     void commit(NodeId v, NodeId w) {
-        apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_);
+        const auto slots = apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_);
+        in_.removed.move(ball_.elements, slots);
         verdicts_.add(Verdict::accepted);
         const auto neighbours = in_.couplings.neighbours[v];
         const auto values = in_.couplings.at(v);
@@ -192,16 +193,16 @@ private:
     /// Whether an edge is to go: its length in the target metric is well below 1. Edges the target
     /// does not stretch are left alone until they are much too short; otherwise the accidental
     /// short ones among them would shift whole columns.
-    bool too_close(NodeId v, NodeId w) const {
+    bool too_close(NodeId v, NodeId w, double reach = 0.707) const {
         const Vec<D> e = mesh_.point(w) - mesh_.point(v);
         const double target = edge_length((in_.target[v] * e).norm(), (in_.target[w] * e).norm());
-        if (target >= 0.4 + 0.307) {
+        if (target >= reach) {
             return false;
         }
         const double natural =
             edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
         const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);
-        return target < 0.4 + 0.307 * stretched;
+        return target < 0.4 + (reach - 0.4) * stretched;
     }
 
     void collect_neighbours(NodeId v) {

@@ -8,6 +8,7 @@
 #include "core/remesh/collapse.h"
 #include "core/remesh/couplings.h"
 #include "core/remesh/lines.h"
+#include "core/remesh/removed_nodes.h"
 
 namespace ameco {
 
@@ -17,6 +18,8 @@ struct RemovalOptions {
     double strong_share =
         0.5; ///< an edge is strong above this share of the strongest at its node [-]
     double coupling_bound = 0.785; ///< most of a_vv that may go to removed neighbours [-]
+    double later_reach = 0.907; ///< as `reach`, for nodes to leave onto in later passes [-]
+    double interpolation_bound = 5; ///< largest interpolation constant, see RemovedNodes [-]
 };
 
 /// What the removal looks at, beside the mesh; all of it of the mesh before any removal.
@@ -28,6 +31,7 @@ struct RemovalInput {
     const IdVector<NodeId, Mat<D>>& natural;   ///< length factors of the natural metric
     const IdVector<NodeId, Mat<D>>& target;    ///< length factors of the target metric
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
+    RemovedNodes<D>& removed;
 };
 
 /// Which nodes are gone, and how much of each node's stencil went with them.

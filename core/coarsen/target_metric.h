@@ -3,31 +3,62 @@
 /// The metric of the next coarser level.
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/metric/metric.h"
 
+#include <array>
+#include <optional>
+#include <string_view>
+
 namespace ameco {
+
+/// How the sizes of a node take notice of its neighbours.
+enum class TargetAlgorithm {
+    basic,        ///< not at all: Algorithm 1
+    maca,         ///< Algorithm 2, in our reading
+    maca_literal, ///< Algorithm 2, to the letter
+    graded        ///< Algorithm 1, then gradation (metric/gradation.h)
+};
+
+inline constexpr std::array all_target_algorithms{TargetAlgorithm::basic, TargetAlgorithm::maca,
+                                                  TargetAlgorithm::maca_literal,
+                                                  TargetAlgorithm::graded};
+
+[[nodiscard]] std::string_view name(TargetAlgorithm algorithm);
+[[nodiscard]] std::optional<TargetAlgorithm> target_algorithm_from_name(std::string_view name);
 
 struct TargetOptions {
     double factor = 2.0; ///< coarse size over fine size [-], > 1
     double slack = 1.15; ///< how far a size may pass the one before it [-], >= 1; the paper has 1
+    TargetAlgorithm algorithm = TargetAlgorithm::basic;
+    double gradation = 1.5; ///< `graded`: most growth of coarsened sizes per fine edge [-], > 1
 };
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.
 ///
-///     h_0 := C h_1;   h_k := max(h_k, min(C h_k, s h_{k-1})),  k = 1 ... D, in this order
+///     h'_0 := C h_1;   h'_k := max(h_k, min(C h_k, s_{k-1} h'_{k-1})),  k = 1 ... D, in this order
+///     s_0 = 1,   s_k = min(s, h'_k / h_k)
 ///
-/// (s multiplies h_{k-1} for k >= 2 only, so that h_1 grows by C). Where the sizes are equal all
-/// of them double; where h_1 is much smaller than the others only h_1 does, but for a size equal to
-/// the one before it, which may grow by s. With s > 1, nodes whose
-/// aspect ratio is a little above 1 - the corrected mean overstates it in unstructured isotropic
-/// regions - are still coarsened in all directions. Directions stay.
+/// Where the sizes are equal all of them double; where h_1 is much smaller than the others only h_1
+/// does. With a slack s > 1, nodes whose aspect ratio is a little above 1 - the corrected mean
+/// overstates it in unstructured isotropic regions - are still coarsened in all directions. A size
+/// may pass the one before it only as far as that one has grown: in a layer with sizes 1e-6, 1, 1
+/// the second does not grow, and so the third does not either. Directions stay.
 /// \see docs/theory/coarsening.md; paper, Algorithm 1
 template <int D>
 [[nodiscard]] Vec<D> coarsened_sizes(const Vec<D>& sizes, const TargetOptions& options);
 
-/// `coarsened_sizes` at every node.
+/// The metric of the next coarser level: `coarsened_sizes` at every node, and what the algorithm
+/// makes of them beside each other.
+///
+/// `maca` is the paper's Algorithm 2 as we read it: a node that would be coarsened by C in all
+/// directions keeps its sizes if a neighbour has a smaller h_1 and is not itself coarsened so. To
+/// the letter (`maca_literal`) its condition is h_D = h_{D-1} after coarsening - three equal sizes,
+/// which rounding hardly ever leaves - and any neighbour of a smaller number with a smaller h_1.
+///
+/// \param natural  [n] natural metric at the nodes of `mesh`
 template <int D>
-[[nodiscard]] MetricField<D> target_metric(const MetricField<D>& natural,
+[[nodiscard]] MetricField<D> target_metric(const Mesh<D>& mesh, const MetricField<D>& natural,
                                            const TargetOptions& options = {});
 
 } // namespace ameco

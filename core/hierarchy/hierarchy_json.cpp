@@ -26,6 +26,8 @@ Json settings_json(const Hierarchy& h) {
             {"mean", name(o.mean)},
             {"factor", o.target.factor},
             {"slack", o.target.slack},
+            {"algorithm", name(o.target.algorithm)},
+            {"gradation", o.target.gradation},
             {"surface_deviation", o.removal.surface.relative_distance},
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
@@ -33,22 +35,29 @@ Json settings_json(const Hierarchy& h) {
             {"mesh_suffix", h.mesh_suffix}};
 }
 
-Mean mean_from_name(const std::string& text) {
-    for (const Mean mean : {Mean::corrected, Mean::interpolation, Mean::log_euclidean}) {
-        if (name(mean) == text) {
-            return mean;
-        }
+Mean read_mean(const std::string& text) {
+    if (const std::optional<Mean> mean = mean_from_name(text)) {
+        return *mean;
     }
     throw InputError("unknown mean \"" + text + "\"");
+}
+
+TargetAlgorithm read_algorithm(const std::string& text) {
+    if (const std::optional<TargetAlgorithm> algorithm = target_algorithm_from_name(text)) {
+        return *algorithm;
+    }
+    throw InputError("unknown algorithm \"" + text + "\"");
 }
 
 void read_settings(const Json& json, Hierarchy& h) {
     CoarsenOptions& o = h.options.coarsen;
     json.at("levels").get_to(h.options.levels);
     json.at("min_ratio").get_to(h.options.min_ratio);
-    o.mean = mean_from_name(json.at("mean").get<std::string>());
+    o.mean = read_mean(json.at("mean").get<std::string>());
     json.at("factor").get_to(o.target.factor);
     json.at("slack").get_to(o.target.slack);
+    o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());
+    json.at("gradation").get_to(o.target.gradation);
     json.at("surface_deviation").get_to(o.removal.surface.relative_distance);
     json.at("ridge_angle_deg").get_to(o.features.ridge_angle_deg);
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/hierarchy/pictures.h"
 
+#include "core/base/svg.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/atomic_file.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -15,36 +14,6 @@
 
 namespace ameco {
 namespace {
-
-/// Distinguishable without colour vision; finest level first.
-constexpr std::array<const char*, 8> colours{"#1f4e79", "#d95f02", "#1b9e77", "#7570b3",
-                                             "#e6ab02", "#a6761d", "#666666", "#e7298a"};
-
-std::string number(double value, int decimals = 2) {
-    char text[64];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-    return {text, end.ptr};
-}
-
-std::string short_number(double value) {
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
-    return {text, end.ptr};
-}
-
-std::string open_svg(double width, double height) {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width, 0) +
-           "\" height=\"" + number(height, 0) + "\" viewBox=\"0 0 " + number(width, 0) + " " +
-           number(height, 0) +
-           "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
-           "fill=\"#ffffff\"/>\n";
-}
-
-std::string text_at(double x, double y, const std::string& text, const char* anchor = "start") {
-    return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" text-anchor=\"" + anchor +
-           "\" fill=\"#222222\">" + text + "</text>\n";
-}
 
 /// The triangles a section is looked for among, with the patch each is on.
 template <class Visit>
@@ -149,33 +118,34 @@ std::string histogram_svg(const std::vector<AspectRatioClasses>& levels) {
         }
     }
     const double top_value = std::ceil(largest / 10) * 10;
-    std::string svg = open_svg(width, top + height + 90);
-    svg += text_at(left, 22, "Per cent of the nodes by aspect ratio");
+    std::string svg = svg::open(width, top + height + 90);
+    svg += svg::text_at(left, 22, "Per cent of the nodes by aspect ratio");
     for (int i = 0; i <= 5; ++i) {
         const double y = top + height * (1 - i / 5.0);
-        svg += "<path d=\"M" + number(left) + " " + number(y) + "H" + number(width - 20) +
-               "\" stroke=\"#dddddd\"/>\n" +
-               text_at(left - 6, y + 4, short_number(top_value * i / 5), "end");
+        svg += "<path d=\"M" + svg::number(left) + " " + svg::number(y) + "H" +
+               svg::number(width - 20) + "\" stroke=\"#dddddd\"/>\n" +
+               svg::text_at(left - 6, y + 4, svg::short_number(top_value * i / 5), "end");
     }
     const double bar = (group - 10) / static_cast<double>(std::max<std::size_t>(1, levels.size()));
     for (std::size_t c = 0; c < classes; ++c) {
         const double x = left + group * static_cast<double>(c) + 5;
         for (std::size_t k = 0; k < levels.size(); ++k) {
             const double h = height * shares[k][c] / top_value;
-            svg += "<rect x=\"" + number(x + bar * static_cast<double>(k)) + "\" y=\"" +
-                   number(top + height - h) + "\" width=\"" + number(bar) + "\" height=\"" +
-                   number(h) + "\" fill=\"" + colours[k % colours.size()] + "\"/>\n";
+            svg += "<rect x=\"" + svg::number(x + bar * static_cast<double>(k)) + "\" y=\"" +
+                   svg::number(top + height - h) + "\" width=\"" + svg::number(bar) +
+                   "\" height=\"" + svg::number(h) + "\" fill=\"" +
+                   svg::colours[k % svg::colours.size()] + "\"/>\n";
         }
-        svg += text_at(x + group / 2 - 5, top + height + 16, short_number(levels[0].upper(c)),
-                       "middle");
-        svg += text_at(x + group / 2 - 5, top + height + 30,
-                       "to " + short_number(std::max(1.0, levels[0].lower(c))), "middle");
+        svg += svg::text_at(x + group / 2 - 5, top + height + 16,
+                            svg::short_number(levels[0].upper(c)), "middle");
+        svg += svg::text_at(x + group / 2 - 5, top + height + 30,
+                            "to " + svg::short_number(std::max(1.0, levels[0].lower(c))), "middle");
     }
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const double x = left + 110 * static_cast<double>(k);
-        svg += "<rect x=\"" + number(x) + "\" y=\"" + number(top + height + 52) +
-               "\" width=\"12\" height=\"12\" fill=\"" + colours[k % colours.size()] + "\"/>\n" +
-               text_at(x + 18, top + height + 62, "level " + std::to_string(k));
+        svg += "<rect x=\"" + svg::number(x) + "\" y=\"" + svg::number(top + height + 52) +
+               "\" width=\"12\" height=\"12\" fill=\"" + svg::colours[k % svg::colours.size()] +
+               "\"/>\n" + svg::text_at(x + 18, top + height + 62, "level " + std::to_string(k));
     }
     return svg + "</svg>\n";
 }
@@ -242,26 +212,27 @@ std::string sections_svg(const std::vector<SectionPanel>& panels, double scale) 
     constexpr double side = 300, gap = 16, top = 56;
     const std::size_t columns = std::min<std::size_t>(3, std::max<std::size_t>(1, panels.size()));
     const std::size_t rows = (panels.size() + columns - 1) / columns;
-    std::string svg = open_svg(gap + static_cast<double>(columns) * (side + gap),
-                               top + static_cast<double>(rows) * (side + gap + 18));
-    svg += text_at(gap, 24,
-                   "Where the mesh is stretched most; view scaled " + short_number(scale) +
-                       " times across the layers");
-    svg += "<defs><clipPath id=\"w\"><rect width=\"" + number(side) + "\" height=\"" +
-           number(side) + "\"/></clipPath></defs>\n";
+    std::string svg = svg::open(gap + static_cast<double>(columns) * (side + gap),
+                                top + static_cast<double>(rows) * (side + gap + 18));
+    svg += svg::text_at(gap, 24,
+                        "Where the mesh is stretched most; view scaled " +
+                            svg::short_number(scale) + " times across the layers");
+    svg += "<defs><clipPath id=\"w\"><rect width=\"" + svg::number(side) + "\" height=\"" +
+           svg::number(side) + "\"/></clipPath></defs>\n";
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const double x = gap + static_cast<double>(k % columns) * (side + gap);
         const double y = top + static_cast<double>(k / columns) * (side + gap + 18);
-        svg += text_at(x, y - 6, panels[k].title);
-        svg += "<g transform=\"translate(" + number(x) + " " + number(y) +
-               ")\" clip-path=\"url(#w)\"><rect width=\"" + number(side) + "\" height=\"" +
-               number(side) + "\" fill=\"#f4f6f8\"/><path fill=\"#ffffff\" stroke=\"" +
-               colours[k % colours.size()] + "\" stroke-width=\"0.7\" d=\"";
+        svg += svg::text_at(x, y - 6, panels[k].title);
+        svg += "<g transform=\"translate(" + svg::number(x) + " " + svg::number(y) +
+               ")\" clip-path=\"url(#w)\"><rect width=\"" + svg::number(side) + "\" height=\"" +
+               svg::number(side) + "\" fill=\"#f4f6f8\"/><path fill=\"#ffffff\" stroke=\"" +
+               svg::colours[k % svg::colours.size()] + "\" stroke-width=\"0.7\" d=\"";
         for (const auto& t : panels[k].triangles) {
             for (std::size_t i = 0; i < 3; ++i) {
                 // Far outside the window the exact place is of no interest, and numbers stay short.
-                svg += (i == 0 ? "M" : "L") + number(side * std::clamp(t[2 * i], -20.0, 20.0)) +
-                       " " + number(side * (1 - std::clamp(t[2 * i + 1], -20.0, 20.0)));
+                svg += (i == 0 ? "M" : "L") +
+                       svg::number(side * std::clamp(t[2 * i], -20.0, 20.0)) + " " +
+                       svg::number(side * (1 - std::clamp(t[2 * i + 1], -20.0, 20.0)));
             }
             svg += "Z";
         }

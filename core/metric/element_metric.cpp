@@ -156,6 +156,32 @@ SizesAndDirections<D, T> natural_metric(const std::array<Row<D, T>, D + 1>& x) {
     return metric;
 }
 
+template <int D, class IdOf>
+void natural_metrics(const Mesh<D>& mesh, const IdOf& id_of, std::span<Metric<D>> metrics) {
+    for (std::size_t n = 0; n < metrics.size(); n += pack_lanes) {
+        const std::size_t lanes = std::min(pack_lanes, metrics.size() - n);
+        std::array<Row<D, Pack>, D + 1> x;
+        for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
+            const ElementId e = id_of(n + std::min(lane, lanes - 1));
+            for (std::size_t i = 0; i <= D; ++i) {
+                for (std::size_t k = 0; k < D; ++k) {
+                    x[i][k].set_lane(lane, mesh.points[mesh.elements[e][i]][k]);
+                }
+            }
+        }
+        const SizesAndDirections<D, Pack> natural = natural_metric(x);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            Metric<D>& metric = metrics[n + lane];
+            for (std::size_t j = 0; j < D; ++j) {
+                metric.sizes[j] = natural.sizes[j].lane(lane);
+                for (std::size_t i = 0; i < D; ++i) {
+                    metric.directions(i, j) = natural.directions[j][i].lane(lane);
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -179,33 +205,22 @@ Metric<D> element_metric(const std::array<Vec<D>, D + 1>& points) {
 
 template <int D>
 void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> metrics) {
-    for (std::size_t n = 0; n < metrics.size(); n += pack_lanes) {
-        const std::size_t lanes = std::min(pack_lanes, metrics.size() - n);
-        std::array<Row<D, Pack>, D + 1> x;
-        for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
-            const ElementId e(first.index() + n + std::min(lane, lanes - 1));
-            for (std::size_t i = 0; i <= D; ++i) {
-                for (std::size_t k = 0; k < D; ++k) {
-                    x[i][k].set_lane(lane, mesh.points[mesh.elements[e][i]][k]);
-                }
-            }
-        }
-        const SizesAndDirections<D, Pack> natural = natural_metric(x);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            Metric<D>& metric = metrics[n + lane];
-            for (std::size_t j = 0; j < D; ++j) {
-                metric.sizes[j] = natural.sizes[j].lane(lane);
-                for (std::size_t i = 0; i < D; ++i) {
-                    metric.directions(i, j) = natural.directions[j][i].lane(lane);
-                }
-            }
-        }
-    }
+    natural_metrics<D>(
+        mesh, [&](std::size_t n) { return ElementId(first.index() + n); }, metrics);
+}
+
+template <int D>
+void element_metrics(const Mesh<D>& mesh, std::span<const ElementId> elements,
+                     std::span<Metric<D>> metrics) {
+    natural_metrics<D>(
+        mesh, [&](std::size_t n) { return elements[n]; }, metrics);
 }
 
 template Metric<2> element_metric<2>(const std::array<Vec<2>, 3>&);
 template Metric<3> element_metric<3>(const std::array<Vec<3>, 4>&);
 template void element_metrics<2>(const Mesh<2>&, ElementId, std::span<Metric<2>>);
 template void element_metrics<3>(const Mesh<3>&, ElementId, std::span<Metric<3>>);
+template void element_metrics<2>(const Mesh<2>&, std::span<const ElementId>, std::span<Metric<2>>);
+template void element_metrics<3>(const Mesh<3>&, std::span<const ElementId>, std::span<Metric<3>>);
 
 } // namespace ameco

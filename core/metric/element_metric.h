@@ -36,4 +36,9 @@ template <int D>
 template <int D>
 void element_metrics(const Mesh<D>& mesh, ElementId first, std::span<Metric<D>> metrics);
 
+/// The same of any elements: `metrics[n]` becomes that of `elements[n]`.
+template <int D>
+void element_metrics(const Mesh<D>& mesh, std::span<const ElementId> elements,
+                     std::span<Metric<D>> metrics);
+
 } // namespace ameco

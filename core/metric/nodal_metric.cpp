@@ -3,11 +3,14 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/adjacency.h"
 #include "core/metric/element_metric.h"
-#include "core/metric/symmetric_eigen.h"
+#include "core/metric/geodesic_mean.h"
+#include "core/metric/metric_sum.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ameco {
@@ -22,82 +25,12 @@ constexpr std::size_t elements_at_once = 64;
 /// Runs of consecutive nodes that belong to one adder.
 constexpr int run_shift = 8;
 
-/// What an element adds to its nodes, and what a node sums up.
-template <int D>
-struct Contribution {
-    std::array<double, tensor_size<D>> tensor; ///< V f(h) V^T, upper triangle by rows
-    Vec<D> sizes;                              ///< sorted
-};
-
-template <int D>
-Contribution<D> contribution_of(const Metric<D>& metric, Mean mean) {
-    Vec<D> values = metric.sizes;
-    if (mean == Mean::log_euclidean) {
-        values = values.array().log();
-    }
-    const Mat<D>& V = metric.directions;
-    const Mat<D> scaled = V * values.asDiagonal();
-    Contribution<D> c;
-    std::size_t n = 0;
-    for (int i = 0; i < D; ++i) {
-        for (int j = i; j < D; ++j) {
-            c.tensor[n++] = scaled.row(i).dot(V.row(j));
-        }
-    }
-    c.sizes = metric.sizes;
-    return c;
-}
-
-/// The sums of a node live in its place in the resulting field until `finish` makes a metric of
-/// them: the tensor in the first entries of `directions`, so no further memory is needed.
-template <int D>
-void add(Metric<D>& sum, const Contribution<D>& c) {
-    double* tensor = sum.directions.data();
-    for (std::size_t n = 0; n < tensor_size<D>; ++n) {
-        tensor[n] += c.tensor[n];
-    }
-    sum.sizes += c.sizes;
-}
-
-template <int D>
-Metric<D> finish(const Metric<D>& sum, int count, Mean mean) {
-    Columns<D, double> S;
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < D; ++i) {
-        for (std::size_t j = i; j < D; ++j) {
-            S[j][i] = sum.directions.data()[n++] / count;
-        }
-    }
-    Columns<D, double> V = identity<D>();
-    diagonalise(S, V);
-    std::array<double, D> values;
-    for (std::size_t k = 0; k < D; ++k) {
-        values[k] = S[k][k];
-    }
-    Metric<D> metric = metric_from<D>(values, V);
-    const Vec<D> mean_sizes = sum.sizes / count;
-    switch (mean) {
-    case Mean::corrected:
-        metric.sizes = mean_sizes;
-        break;
-    case Mean::interpolation:
-        // The smallest eigenvalue is a concave function of the matrix, so that of the mean is at
-        // least the mean of those of the elements: a floor that rounding must not break.
-        metric.sizes = metric.sizes.cwiseMax(mean_sizes[0]);
-        break;
-    case Mean::log_euclidean:
-        metric.sizes = metric.sizes.array().exp();
-        break;
-    }
-    return metric;
-}
-
 template <int D>
 class Averaging {
 public:
     Averaging(const Mesh<D>& mesh, Mean mean)
-        : mesh_(mesh), mean_(mean), field_(mesh.points.size(), zero()), counts_(field_.size(), 0),
-          block_(std::min(block_size, mesh.elements.size())) {}
+        : mesh_(mesh), mean_(mean), field_(mesh.points.size(), zero_sum<D>()),
+          counts_(field_.size(), 0), block_(std::min(block_size, mesh.elements.size())) {}
 
     void add_block(std::size_t first) {
         const std::size_t size = std::min(block_size, mesh_.elements.size() - first);
@@ -137,13 +70,6 @@ public:
     }
 
 private:
-    static Metric<D> zero() {
-        Metric<D> sum;
-        sum.sizes.setZero();
-        sum.directions.setZero();
-        return sum;
-    }
-
     const Mesh<D>& mesh_;
     Mean mean_;
     MetricField<D> field_;
@@ -151,22 +77,54 @@ private:
     std::vector<Contribution<D>> block_;
 };
 
-} // namespace
-
-std::string_view name(Mean mean) {
-    switch (mean) {
-    case Mean::corrected:
-        return "corrected";
-    case Mean::interpolation:
-        return "interpolation";
-    case Mean::log_euclidean:
-        return "log-euclidean";
+/// A mean that needs all metrics of a node at once.
+template <int D>
+MetricField<D> node_by_node(const Mesh<D>& mesh, Mean mean, Monitor& monitor) {
+    constexpr std::size_t nodes_at_once = 1 << 14;
+    constexpr std::size_t piece = 64;
+    const NodeElements balls = node_elements(mesh);
+    const std::size_t n = mesh.points.size();
+    MetricField<D> field(n);
+    // The first failure in the order of the nodes, whichever thread meets one first.
+    std::vector<std::optional<std::string>> failures((nodes_at_once + piece - 1) / piece);
+    for (std::size_t first = 0; first < n; first += nodes_at_once) {
+        if (monitor.stop_requested()) {
+            throw Cancelled();
+        }
+        monitor.progress(static_cast<double>(first) / static_cast<double>(n), "natural metric");
+        const std::size_t size = std::min(nodes_at_once, n - first);
+        parallel_for(size, piece, [&](std::size_t begin, std::size_t end) {
+            std::vector<Metric<D>> metrics;
+            for (std::size_t k = begin; k < end; ++k) {
+                const NodeId i(first + k);
+                const std::span<const ElementId> ball = balls[i];
+                metrics.resize(ball.size());
+                element_metrics<D>(mesh, ball, metrics);
+                try {
+                    field[i] = mean_of<D>(metrics, mean);
+                } catch (const NotConverged& e) {
+                    failures[begin / piece] = "node " + std::to_string(i.index()) + ": " + e.what();
+                    return;
+                }
+            }
+        });
+        for (const auto& failure : failures) {
+            if (failure) {
+                throw NotConverged(*failure);
+            }
+        }
     }
-    return "unknown";
+    monitor.progress(1, "natural metric");
+    return field;
 }
+
+} // namespace
 
 template <int D>
 MetricField<D> nodal_metric(const Mesh<D>& mesh, Mean mean, Monitor& monitor) {
+    if (!comes_from_sums(mean)) {
+        return node_by_node(mesh, mean, monitor);
+    }
     Averaging<D> averaging(mesh, mean);
     const std::size_t m = mesh.elements.size();
     for (std::size_t first = 0; first < m; first += block_size) {

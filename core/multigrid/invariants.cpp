@@ -85,6 +85,31 @@ double interpolated_coupling(const Couplings& couplings, const Transfer& transfe
     return sum / couplings.diagonal[v];
 }
 
+double interpolation_constant(const Couplings& couplings, const Transfer& transfer, NodeId v) {
+    if (transfer.kind[v] == TransferKind::nested) {
+        return 0;
+    }
+    const auto neighbours = couplings.neighbours[v];
+    const auto values = couplings.at(v);
+    double sum = 0;
+    for (SparseMatrix::InnerIterator it(transfer.P, v.value()); it; ++it) {
+        const NodeId i = transfer.parent[NodeId(static_cast<std::size_t>(it.col()))];
+        double conductance = 0;
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const double first = std::max(0.0, static_cast<double>(values[k]));
+            if (neighbours[k] == i) {
+                conductance += first;
+            } else if (first > 0) {
+                const double second = std::max(
+                    0.0, static_cast<double>(couplings.between(neighbours[k], i)));
+                conductance += first * second / (first + second);
+            }
+        }
+        sum += it.value() / std::max(conductance, 1e-30 * couplings.diagonal[v]);
+    }
+    return sum * couplings.diagonal[v];
+}
+
 double removed_coupling(const Couplings& couplings, const IdVector<NodeId, NodeId>& coarse_of,
                         NodeId v) {
     double sum = 0;

@@ -61,6 +61,17 @@ template <int D>
 [[nodiscard]] double interpolated_coupling(const Couplings& couplings, const Transfer& transfer,
                                            NodeId v);
 
+/// How far the value interpolated at a removed node may be from the node's own, measured in energy:
+///
+///     K_v = a_vv sum_i w_i / g_vi,   g_vi = c_vi + sum_u c_vu c_ui / (c_vu + c_ui)
+///
+/// over the nodes i it is interpolated from with weights w_i; g is the conductance between v and i
+/// over one or two couplings. Since a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2 <= K_v
+/// times the energy of e around v, a two-grid cycle with exact smoothing converges like 1 - 1/K. 2
+/// in layers. 0 for nodes that were kept.
+[[nodiscard]] double interpolation_constant(const Couplings& couplings, const Transfer& transfer,
+                                            NodeId v);
+
 /// Sum of c_vw over removed neighbours w, over a_vv.
 [[nodiscard]] double removed_coupling(const Couplings& couplings,
                                       const IdVector<NodeId, NodeId>& coarse_of, NodeId v);

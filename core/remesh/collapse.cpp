@@ -63,12 +63,12 @@ Verdict propose_collapse(const EditMesh<D>& mesh, const SizeField<D>& sizes,
 }
 
 template <int D>
-void apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
+std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
                     const Star<D>& star) {
     if (mesh.node_class(collapse.removed) == NodeClass::ridge) {
         mesh.merge_ridges(collapse.removed, collapse.kept);
     }
-    mesh.replace(ball.elements, star.elements, star.sources);
+    return mesh.replace(ball.elements, star.elements, star.sources);
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
@@ -76,7 +76,8 @@ void apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
     template Verdict propose_collapse(const EditMesh<D>&, const SizeField<D>&,                     \
                                       const SurfaceRules&, const QualityFloor&, double, Collapse,  \
                                       const Cavity<D>&, Star<D>&);                                 \
-    template void apply_collapse(EditMesh<D>&, Collapse, const Cavity<D>&, const Star<D>&);
+    template std::span<const ElementId> apply_collapse(EditMesh<D>&, Collapse,                     \
+                                      const Cavity<D>&, const Star<D>&);
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

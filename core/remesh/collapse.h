@@ -35,8 +35,9 @@ template <int D>
                                        Star<D>& star);
 
 /// Carries out a collapse that was accepted.
+/// \return  slots of the star's elements, until the next edit
 template <int D>
-void apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
+std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
                     const Star<D>& star);
 
 } // namespace ameco

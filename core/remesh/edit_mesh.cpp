@@ -140,15 +140,18 @@ ElementId EditMesh<D>::free_slot() {
 }
 
 template <int D>
-void EditMesh<D>::replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
-                          std::span<const ElementId> sources) {
+std::span<const ElementId> EditMesh<D>::replace(std::span<const ElementId> old,
+                                                std::span<const EditElement<D>> fresh,
+                                                std::span<const ElementId> sources) {
     // Elements that stay in their slot first, then the rest into what is left over.
     std::size_t next = 0;
     std::vector<ElementId>& left_over = left_over_;
     left_over.clear();
+    slots_.resize(fresh.size());
     for (const ElementId slot : old) {
         if (next < fresh.size() && sources[next] == slot) {
             put(slot, fresh[next]);
+            slots_[next] = slot;
             while (next < fresh.size() && sources[next] == slot) {
                 ++next;
             }
@@ -160,13 +163,15 @@ void EditMesh<D>::replace(std::span<const ElementId> old, std::span<const EditEl
     std::size_t used = 0;
     for (std::size_t i = 1; i < fresh.size(); ++i) {
         if (sources[i] == sources[i - 1]) {
-            put(used < left_over.size() ? left_over[used++] : free_slot(), fresh[i]);
+            slots_[i] = used < left_over.size() ? left_over[used++] : free_slot();
+            put(slots_[i], fresh[i]);
         }
     }
     for (; used < left_over.size(); ++used) {
         put(left_over[used], EditElement<D>{});
         free_.push_back(left_over[used]);
     }
+    return slots_;
 }
 
 template <int D>

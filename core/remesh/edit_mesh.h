@@ -70,8 +70,9 @@ public:
     /// Puts `fresh` in the place of `old`. Slots of `old` are used again: that of `sources[i]` (an
     /// element of `old`; equal ones stand beside each other, in the order of `old`) for `fresh[i]`
     /// where it is not yet taken.
-    void replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
-                 std::span<const ElementId> sources);
+    /// \return  the slots of `fresh`, until the next call
+    std::span<const ElementId> replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
+                                       std::span<const ElementId> sources);
 
     /// Moves the ridge edges at `removed` to `kept`, after a collapse along a ridge.
     void merge_ridges(NodeId removed, NodeId kept);
@@ -121,7 +122,7 @@ private:
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;
     Features features_;                ///< of the mesh this was made from
-    std::vector<ElementId> left_over_; ///< scratch of `replace`
+    std::vector<ElementId> left_over_, slots_; ///< scratch of `replace`
 };
 
 /// Ghost element of a boundary face whose normal points outwards.

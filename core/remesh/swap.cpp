@@ -32,7 +32,11 @@ public:
             tried_[e.index()] = 1;
             return false;
         }
-        mesh_.replace(best_cavity_.elements, best_star_.elements, best_star_.sources);
+        // Other proposals may have been looked at since the best one was found.
+        (void)in_.removed.interpolated_well(mesh_, best_cavity_, best_star_);
+        const auto slots =
+            mesh_.replace(best_cavity_.elements, best_star_.elements, best_star_.sources);
+        in_.removed.move(best_cavity_.elements, slots);
         forget();
         return true;
     }
@@ -176,6 +180,9 @@ private:
         verdict = judge(mesh_, in_.sizes, std::min(options_.size_floor, size_before), star_);
         if (verdict == Verdict::accepted && any_ghost) {
             verdict = judge_boundary(node);
+        }
+        if (verdict == Verdict::accepted && !in_.removed.interpolated_well(mesh_, cavity_, star_)) {
+            verdict = Verdict::weak_coupling;
         }
         if (verdict == Verdict::accepted) {
             best_quality_ = worst;

@@ -7,6 +7,7 @@
 #include "core/remesh/cavity.h"
 #include "core/remesh/lines.h"
 #include "core/remesh/metric_quality.h"
+#include "core/remesh/removed_nodes.h"
 #include "core/remesh/surface_rules.h"
 
 namespace ameco {
@@ -26,6 +27,7 @@ struct SwapInput {
     const RootField<D>& root;
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const Lines& lines;
+    RemovedNodes<D>& removed;
 };
 
 /// Swaps around elements of low quality `metric_quality`, best proposal first, round by round. An

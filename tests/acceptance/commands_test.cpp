@@ -18,6 +18,7 @@ private slots:
     void check_measures_a_mesh_in_a_given_metric();
     void metric_predicts_the_coarser_level();
     void metric_has_a_tensor_for_unused_nodes_too();
+    void metric_compares_all_means_at_a_node();
     void convert_gives_the_same_file_back_data();
     void convert_gives_the_same_file_back();
     void case_lists_what_there_is();
@@ -137,6 +138,29 @@ void CommandsTest::metric_has_a_tensor_for_unused_nodes_too() {
     const auto json = here_.ameco({"info", "orphan.mesh", "orphan.sol", "--json"}).json();
     QCOMPARE(json.at(0).at("nodes").get<int>(), 26);
     QCOMPARE(json.at(1).at("nodes").get<int>(), 26);
+}
+
+void CommandsTest::metric_compares_all_means_at_a_node() {
+    QCOMPARE(here_.ameco({"case", "model-layer", "-o", "strip.mesh"}).code, 0);
+    const Run run =
+        here_.ameco({"metric", "strip.mesh", "--compare", "12", "-o", "balls.svg", "--json"});
+    QCOMPARE(run.code, 0);
+    const auto means = run.json().at("means");
+    QCOMPARE(means.size(), 6U);
+    QCOMPARE(means.at(0).at("mean").get<std::string>(), std::string("corrected"));
+    QVERIFY(std::abs(means.at(0).at("sizes").at(0).get<double>() - 1e-3) < 1e-5);
+    QCOMPARE(means.at(5).at("failure").get<std::string>(), std::string("does not converge"));
+    QVERIFY(here_.content("balls.svg").contains("Unit balls at node 12, 6 elements"));
+    const Run none = here_.ameco({"metric", "strip.mesh", "--compare", "25"});
+    QCOMPARE(none.code, 2);
+    QVERIFY2(none.err.contains("strip.mesh has the nodes 0 to 24"), none.text());
+    QCOMPARE(here_.ameco({"metric", "strip.mesh"}).code, 2);
+    // The mean that fails says at which node.
+    const Run fixed =
+        here_.ameco({"metric", "strip.mesh", "--mean", "geodesic-fixed-step", "-o", "f.sol"});
+    QCOMPARE(fixed.code, 3);
+    QVERIFY2(fixed.err.contains("node 2: geodesic-fixed-step: no mean of 3 metrics"), fixed.text());
+    QVERIFY(!QFile::exists(here_.path("f.sol")));
 }
 
 void CommandsTest::convert_gives_the_same_file_back_data() {

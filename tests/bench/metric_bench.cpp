@@ -6,6 +6,7 @@
 #include "core/metric/element_metric.h"
 #include "core/metric/nodal_metric.h"
 #include "tests/core/metric/reference.h"
+#include "tests/core/metric/wide_reference.h"
 
 #include <sys/resource.h>
 
@@ -34,7 +35,7 @@ Errors measure(double ratio) {
     Errors errors;
     for (int n = 0; n < samples; ++n) {
         const auto points = reference::stretched_simplex<D>(random, ratio);
-        const Vec<D> exact = reference::sizes<D>(points);
+        const Vec<D> exact = wide::sizes<D>(points);
         const Metric<D> metric = element_metric<D>(points);
         errors.residual = std::max(errors.residual, reference::residual<D>(metric, points));
         errors.sizes =

@@ -6,12 +6,13 @@
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
 /// adds smoothers, W-cycles and convection. coupling-bound=0.8, strong-share=0.5 and dominance=2
-/// change the rules of the coarsening.
+/// change the rules of the coarsening, mean=blended and slack=1.05 its metric.
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/multigrid/study.h"
+#include "core/multigrid/boundary_projection.h"
 
 #include <chrono>
 #include <cstdio>
@@ -96,6 +97,19 @@ void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::s
     }
     const auto v = pair_invariants(g.meshes[k], g.structures[k], g.meshes[k + 1],
                                    g.structures[k + 1], g.transfers[k], ratios, unknowns);
+    {
+        std::vector<double> K;
+        const auto np = node_patches(g.meshes[k]);
+        for (const NodeId n : g.meshes[k].points.ids()) {
+            const auto pat = g.transfers[k].kind[n];
+            if (pat != TransferKind::nested && np[n].empty()) K.push_back(interpolation_constant(g.structures[k].couplings, g.transfers[k], n));
+        }
+        std::printf("  inner removed %zu, K>4 %ld >6 %ld >8 %ld >12 %ld >20 %ld;", K.size(), std::count_if(K.begin(), K.end(), [](double x){return x>4;}), std::count_if(K.begin(), K.end(), [](double x){return x>6;}),std::count_if(K.begin(), K.end(), [](double x){return x>8;}),std::count_if(K.begin(), K.end(), [](double x){return x>12;}),std::count_if(K.begin(), K.end(), [](double x){return x>20;}));
+        std::sort(K.begin(), K.end());
+        std::printf("  K quantiles:");
+        for (double q : {0.5, 0.9, 0.95, 0.98, 0.99, 0.995, 0.999, 1.0}) std::printf(" %g:%.3g", q, K[std::min(K.size()-1, std::size_t(q*K.size()))]);
+        std::printf("\n");
+    }
     std::printf("    %zu-%zu  gaps %lld (%lld at ends, longest %.0f at %s), three kept in a row "
                 "%lld, lineless "
                 "%lld (%.4f %%), FF %.2f at %s (%lld above 0.8), G/A %.2f at %s (%lld above 2)\n",
@@ -108,18 +122,41 @@ void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::s
 
 template <int D>
 void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t k,
-                 const ConvergenceFactor& slow, int count) {
+                 const ConvergenceFactor& slow, int count, std::size_t o=0) {
     const Vector diagonal = equations.matrices.A[k].diagonal();
-    const auto mode = examine_error(g.meshes[k], g.structures[k], g.transfers[k], slow.slowest,
+    if (count == 0) count = 6;
+    const auto mode = examine_error(g.meshes[o+k], g.structures[o+k], g.transfers[o+k], slow.slowest,
                                     diagonal, equations.unknowns[k], equations.ratios[k], count);
     std::printf("         slowest error: %lld nodes carry 90 %%\n", whole(mode.carriers));
     for (const auto& n : mode.worst) {
+        std::printf("         K %.3g ", interpolation_constant(g.structures[o+k].couplings, g.transfers[o+k], n.node));
         std::printf("         node %d %s %.1f %% %s%s: gap %d, FF %.2f, interpolated coupling "
                     "%.2f (largest weight %.2f), G/A %.2f: %s\n",
                     n.node.value(), place<D>(n.point).c_str(), 100 * n.share,
                     n.kept ? "kept" : "removed", n.on_line ? ", on a line" : "", n.gap,
                     n.removed_coupling, n.interpolated_coupling, n.largest_weight, n.galerkin_ratio,
                     n.findings.c_str());
+    }
+}
+
+template <int D>
+void dump(const Grids<D>& g, std::size_t o, const Vector& err, const std::vector<NodeId>& unk) {
+    const auto kept = coarse_of(g.transfers[o]);
+    IdVector<NodeId, double> e(g.meshes[o].points.size(), 0.0);
+    for (std::size_t i = 0; i < unk.size(); ++i) e[unk[i]] = err[(Eigen::Index)i];
+    const double mx = err.cwiseAbs().maxCoeff();
+    std::stringstream list(getenv("NODES"));
+    for (std::string item; std::getline(list, item, ',');) {
+        const NodeId n(std::size_t(std::stoi(item)));
+        const auto& S = g.structures[o];
+        std::printf("DUMP node %d %s e %.3f kept %d line %d prev %d next %d pos %d\n", n.value(), place<D>(g.meshes[o].points[n]).c_str(), e[n]/mx, kept[n].valid(), S.lines.on_line(n), S.lines.previous[n].value(), S.lines.next[n].value(), S.lines.position[n]);
+        const auto nb = S.couplings.neighbours[n];
+        for (std::size_t i = 0; i < nb.size(); ++i) {
+            const Vec<D> d = g.meshes[o].points[nb[i]] - g.meshes[o].points[n];
+            std::printf("    %d d %s c %.3f e %.3f %s line %d\n", nb[i].value(), place<D>(d).c_str(), S.couplings.at(n)[i] / S.couplings.diagonal[n], e[nb[i]]/mx, kept[nb[i]].valid() ? "KEPT" : "gone", S.lines.on_line(nb[i]));
+        }
+        for (SparseMatrix::InnerIterator it(g.transfers[o].P, n.value()); it; ++it)
+            std::printf("    P %.3f from %d\n", it.value(), g.transfers[o].parent[NodeId(std::size_t(it.col()))].value());
     }
 }
 
@@ -131,6 +168,15 @@ void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) 
         const Solver coarse = exact_solver(equations, k + 1);
         CycleOptions options;
         options.smoother.kind = SmootherKind::gauss_seidel;
+        {
+            const LevelEquations ge = level_equations<D>({g.meshes[k], g.meshes[k + 1]}, {g.transfers[k]}, {}, CoarseOperator::galerkin);
+            if (ge.matrices.A[1].rows() < 40000) {
+            const auto f = two_grid(ge, 0, options, exact_solver(ge, 1));
+            std::printf("         galerkin two-grid GS(1,1) %.3f\n", f.value);
+            print_worst(g, ge, 0, f, 0, k);
+            if (getenv("NODES") && k == 0) dump(g, k, f.slowest, ge.unknowns[0]);
+            }
+        }
         const double gs = two_grid(equations, k, options, coarse).value;
         options.smoother.kind = SmootherKind::jacobi;
         const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
@@ -225,8 +271,26 @@ int main(int argc, char** argv) {
             coarsening.removal.coupling_bound = std::stod(value);
         } else if (key == "strong-share") {
             coarsening.removal.strong_share = std::stod(value);
+        } else if (key == "slack") {
+            coarsening.target.slack = std::stod(value);
+        } else if (key == "mean") {
+            coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
         } else if (key == "dominance") {
             coarsening.lines.dominance = std::stod(value);
+        } else if (key == "kbound") {
+            coarsening.removal.interpolation_bound = std::stod(value);
+        } else if (key == "reach") {
+            coarsening.removal.later_reach = std::stod(value);
+        } else if (key == "mean") {
+            coarsening.mean = mean_from_name(value).value();
+        } else if (key == "slack") {
+            coarsening.target.slack = std::stod(value);
+        } else if (key == "passes") {
+            coarsening.passes = std::stoi(value);
+        } else if (key == "below") {
+            coarsening.swaps.below = std::stod(value);
+        } else if (key == "rounds") {
+            coarsening.swaps.rounds = std::stoi(value);
         } else if (key == "dirichlet") {
             std::stringstream list(value);
             for (std::string item; std::getline(list, item, ',');) {

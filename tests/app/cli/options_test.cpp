@@ -76,10 +76,10 @@ void OptionsTest::suggests_the_word_that_was_meant() {
 }
 
 void OptionsTest::knows_every_mean_by_its_name() {
-    for (const Mean mean : {Mean::corrected, Mean::interpolation, Mean::log_euclidean}) {
-        QCOMPARE(mean_from_name(std::string(name(mean))), mean);
+    for (const Mean mean : all_means) {
+        QCOMPARE(chosen_mean(std::string(name(mean))), mean);
     }
-    QVERIFY_EXCEPTION_THROWN((void)mean_from_name("harmonic"), UsageError);
+    QVERIFY_EXCEPTION_THROWN((void)chosen_mean("harmonic"), UsageError);
 }
 
 QTEST_APPLESS_MAIN(OptionsTest)

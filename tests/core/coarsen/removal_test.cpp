@@ -21,7 +21,7 @@ struct Setting {
           front(front_order(m, natural, couplings.neighbours)),
           lines(find_lines(m, couplings, front.key)), lines_before(lines),
           edited(m, classify_geometry(m)), state(m.points.size()) {
-        const MetricField<D> target = target_metric(natural);
+        const MetricField<D> target = target_metric(m, natural);
         sizes = make_size_field(target);
         for (const NodeId v : m.points.ids()) {
             natural_factor.push_back(length_factor(natural[v]));

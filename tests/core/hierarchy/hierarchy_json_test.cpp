@@ -65,6 +65,8 @@ Hierarchy example() {
     h.status = HierarchyStatus::exhausted;
     h.options.levels = 5;
     h.options.coarsen.mean = Mean::log_euclidean;
+    h.options.coarsen.target.algorithm = TargetAlgorithm::graded;
+    h.options.coarsen.target.gradation = 1.25;
     h.options.coarsen.target.factor = 2.5;
     h.options.coarsen.features.frozen_patches = {1, 4};
     h.input.file = {"../wing.meshb", 0x1234u};
@@ -86,6 +88,8 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QCOMPARE(read.levels[1].statistics.warnings.at(0).defect, Defect::orphan_node);
     QCOMPARE(read.levels[1].statistics.removal[Verdict::region_border], std::int64_t{1});
     QCOMPARE(read.options.coarsen.mean, Mean::log_euclidean);
+    QCOMPARE(read.options.coarsen.target.algorithm, TargetAlgorithm::graded);
+    QCOMPARE(read.options.coarsen.target.gradation, 1.25);
     QVERIFY(read.input.repair.elements_turned);
 }
 

@@ -2,6 +2,7 @@
 #include "core/metric/element_metric.h"
 
 #include "tests/core/metric/reference.h"
+#include "tests/core/metric/wide_reference.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -29,7 +30,7 @@ void compare_sizes(double ratio) {
     for (int n = 0; n < samples; ++n) {
         const auto points = reference::stretched_simplex<D>(random, ratio);
         const Vec<D> sizes = element_metric<D>(points).sizes;
-        QCOMPARE_LE(reference::relative_difference<D>(sizes, reference::sizes<D>(points)), 5e-15);
+        QCOMPARE_LE(reference::relative_difference<D>(sizes, wide::sizes<D>(points)), 5e-15);
     }
 }
 

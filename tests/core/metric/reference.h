@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// Stretched elements at random, and what their metrics are to fifty digits; for tests and benches.
+/// Stretched elements at random, and what to compare their metrics with; for tests and benches.
 #pragma once
 
 #include "core/mesh/mesh.h"
 #include "core/metric/metric.h"
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -92,66 +90,34 @@ template <int D>
     return mesh;
 }
 
-using Wide = boost::multiprecision::cpp_bin_float_50;
-
-/// Eigenvalues, ascending, of a symmetric matrix by Jacobi's method in fifty digits.
+/// Metrics turned by up to `angle` [rad] from each other, as around a node of a curved layer.
 template <int D>
-[[nodiscard]] std::array<Wide, D> eigenvalues(std::array<std::array<Wide, D>, D> A) {
-    for (int sweep = 0; sweep < 20; ++sweep) {
-        for (int i = 0; i < D; ++i) {
-            for (int j = i + 1; j < D; ++j) {
-                if (A[i][j] * A[i][j] <= 1e-80 * abs(A[i][i] * A[j][j])) {
-                    continue;
-                }
-                const Wide theta = (A[j][j] - A[i][i]) / (2 * A[i][j]);
-                const Wide t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
-                const Wide c = 1 / sqrt(t * t + 1);
-                const Wide s = t * c;
-                for (int k = 0; k < D; ++k) {
-                    const Wide x = A[k][i];
-                    A[k][i] = c * x - s * A[k][j];
-                    A[k][j] = s * x + c * A[k][j];
-                }
-                for (int k = 0; k < D; ++k) {
-                    const Wide x = A[i][k];
-                    A[i][k] = c * x - s * A[j][k];
-                    A[j][k] = s * x + c * A[j][k];
-                }
-            }
-        }
+[[nodiscard]] std::vector<Metric<D>> fan(std::mt19937& random, double ratio, double angle) {
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const Mat<D> Q = random_rotation<D>(random);
+    std::vector<Metric<D>> metrics;
+    for (int n = 0; n < 12; ++n) {
+        const double a = angle * uniform(random);
+        Mat<D> turn = Mat<D>::Identity();
+        turn.template topLeftCorner<2, 2>() << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
+        Metric<D> metric;
+        metric.sizes = Vec<D>::Constant(1 + 0.4 * uniform(random));
+        metric.sizes[0] *= (1 + 0.4 * uniform(random)) / ratio;
+        metric.sizes[D - 1] *= 2;
+        metric.directions = Q * turn;
+        metrics.push_back(metric);
     }
-    std::array<Wide, D> values;
-    for (int i = 0; i < D; ++i) {
-        values[i] = A[i][i];
-    }
-    std::sort(values.begin(), values.end());
-    return values;
+    return metrics;
 }
 
-/// Sizes of the natural metric of an element whose coordinates are exactly the given doubles, from
-/// the paper's equation (5) in fifty digits.
+/// The corners of all elements of a mesh.
 template <int D>
-[[nodiscard]] Vec<D> sizes(const std::array<Vec<D>, D + 1>& points) {
-    std::array<std::array<Wide, D>, D> sum;
-    for (auto& row : sum) {
-        row.fill(0);
+[[nodiscard]] std::vector<std::array<Vec<D>, D + 1>> all_corners(const Mesh<D>& mesh) {
+    std::vector<std::array<Vec<D>, D + 1>> corners;
+    for (const Simplex<D>& s : mesh.elements) {
+        corners.push_back(corners_of<D>(mesh, s));
     }
-    for (int a = 0; a <= D; ++a) {
-        for (int b = 0; b < a; ++b) {
-            for (int i = 0; i < D; ++i) {
-                for (int j = 0; j < D; ++j) {
-                    sum[i][j] +=
-                        (Wide(points[a][i]) - points[b][i]) * (Wide(points[a][j]) - points[b][j]);
-                }
-            }
-        }
-    }
-    const std::array<Wide, D> values = eigenvalues<D>(sum);
-    Vec<D> result;
-    for (int i = 0; i < D; ++i) {
-        result[i] = static_cast<double>(Wide(sqrt(values[i] * 2 / (D + 1))));
-    }
-    return result;
+    return corners;
 }
 
 /// The paper's equation (5) as it stands, in doubles, inverted by a stable factorisation.

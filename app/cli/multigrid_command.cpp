@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/mesh_input.h"
+#include "app/cli/options.h"
+#include "app/cli/report.h"
+#include "core/hierarchy/hierarchy_folder.h"
+#include "core/hierarchy/statistics_json.h"
+#include "core/io/atomic_file.h"
+#include "core/multigrid/convergence_plot.h"
+#include "core/multigrid/matrix_file.h"
+#include "core/multigrid/study.h"
+
+#include <CLI/CLI.hpp>
+
+namespace ameco::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Everything measured on one hierarchy; what is printed is the JSON's content.
+template <int D>
+class Study {
+public:
+    Study(const Hierarchy& hierarchy, const fs::path& folder, Session& session)
+        : session_(session) {
+        for (int k = 0; k < static_cast<int>(hierarchy.levels.size()); ++k) {
+            meshes.push_back(read_level_mesh<D>(folder, hierarchy, k));
+        }
+        for (std::size_t k = 0; k + 1 < meshes.size(); ++k) {
+            session_.monitor.progress(0.2 * static_cast<double>(k) /
+                                          static_cast<double>(meshes.size()),
+                                      "locating nodes");
+            transfers.push_back(make_transfer(meshes[k], meshes[k + 1]));
+            structures.push_back(level_structure(meshes[k]));
+        }
+        structures.push_back(level_structure(meshes.back()));
+    }
+
+    /// Two-grid factors and invariants of the levels k and k + 1.
+    [[nodiscard]] Json pair(const LevelEquations& equations, std::size_t k) const {
+        const Solver coarse = exact_solver(equations, k + 1);
+        CycleOptions options;
+        const double gauss_seidel = two_grid(equations, k, options, coarse).value;
+        options.smoother.kind = SmootherKind::jacobi;
+        const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
+        Json json = {{"fine_level", k},
+                     {"two_grid_jacobi", jacobi.value},
+                     {"two_grid_gauss_seidel", gauss_seidel},
+                     {"invariants", invariants(equations, k)}};
+        if (jacobi.slowest.size() > 0) {
+            json["slowest_error"] = slowest(equations, k, jacobi.slowest);
+        }
+        return json;
+    }
+
+    std::vector<Mesh<D>> meshes;
+    std::vector<Transfer> transfers;
+    std::vector<LevelStructure> structures;
+
+private:
+    [[nodiscard]] static Json place(const WorstPlace<D>& worst) {
+        return {{"worst", worst.value},
+                {"node", worst.node.value()},
+                {"point", std::vector<double>(worst.point.begin(), worst.point.end())}};
+    }
+
+    [[nodiscard]] Json invariants(const LevelEquations& equations, std::size_t k) const {
+        const auto& unknowns = equations.unknowns[k + 1];
+        Vector ratios(static_cast<Eigen::Index>(unknowns.size()));
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            ratios[static_cast<Eigen::Index>(i)] = equations.ratios[k][unknowns[i]];
+        }
+        const auto v = pair_invariants(meshes[k], structures[k], meshes[k + 1], structures[k + 1],
+                                       transfers[k], ratios, unknowns);
+        return {{"line_nodes", v.line_nodes},
+                {"gaps", v.gaps},
+                {"longest_gap", place(v.longest_gap)},
+                {"three_kept_in_a_row", v.stuck},
+                {"lineless_elements", v.lineless_elements},
+                {"lineless_share", v.lineless_share},
+                {"removed_coupling", place(v.ff)},
+                {"galerkin_ratio", place(v.galerkin_ratio)},
+                {"galerkin_ratios_above_2", v.galerkin_exceeded}};
+    }
+
+    [[nodiscard]] Json slowest(const LevelEquations& equations, std::size_t k,
+                               const Vector& error) const {
+        const ErrorMode<D> mode = examine_error(meshes[k], structures[k], transfers[k], error,
+                                                Vector(equations.matrices.A[k].diagonal()),
+                                                equations.unknowns[k], equations.ratios[k]);
+        Json worst = Json::array();
+        for (const SlowNode<D>& n : mode.worst) {
+            worst.push_back({{"node", n.node.value()},
+                             {"point", std::vector<double>(n.point.begin(), n.point.end())},
+                             {"share", n.share},
+                             {"findings", n.findings}});
+        }
+        return {{"nodes_with_90_percent", mode.carriers}, {"worst_nodes", worst}};
+    }
+
+    Session& session_;
+};
+
+class MultigridCommand : public Command {
+public:
+    [[nodiscard]] CommandHelp help() const override {
+        return {"multigrid",
+                "Measure how well multigrid converges on a hierarchy.",
+                "multigrid DIR [options]",
+                {{"multigrid levels", "Poisson's equation, Dirichlet conditions all around"},
+                 {"multigrid levels --dirichlet 1 --smoother jacobi", "a wall, another smoother"},
+                 {"multigrid levels --velocity 1 0 0", "upwinded convection, with GMRES"},
+                 {"multigrid levels --plot convergence.svg --matrices ./petsc",
+                  "a picture; matrices for other solvers"}},
+                "For each pair of levels: the factor of a two-grid cycle with an exact coarse\n"
+                "solve, what the levels have in common, and the nodes where the error stays. For\n"
+                "the whole hierarchy: the factor of the cycle by itself, and iterations of CG (or\n"
+                "GMRES) to 1e-8 with the cycle as preconditioner."};
+    }
+
+    void add_options(CLI::App& app) override {
+        app.add_option("DIR", folder_, "folder of the hierarchy")->required();
+        app.add_option("--dirichlet", dirichlet_, "patches with Dirichlet conditions [all]")
+            ->type_name("PATCH");
+        app.add_option("--velocity", velocity_, "velocity of convection, per unit of diffusion")
+            ->type_name("X");
+        app.add_option("--smoother", smoother_, "jacobi, gauss-seidel, chebyshev or line")
+            ->check(one_of({"jacobi", "gauss-seidel", "chebyshev", "line"}));
+        app.add_option("--operator", operator_,
+                       "coarse matrices: rediscretised, stiffened or galerkin")
+            ->check(one_of({"rediscretised", "stiffened", "galerkin"}));
+        app.add_option("--steps", steps_, "smoothing steps before, and after")
+            ->check(whole_number(1, 20));
+        app.add_flag("--w-cycle", w_cycle_, "W-cycle instead of V-cycle");
+        app.add_option("--plot", plot_, "picture of the residuals to write (.svg)");
+        app.add_option("--matrices", matrices_,
+                       "folder for P_k.mtx, and A_k.petsc, P_k.petsc and b.petsc of the unknowns");
+    }
+
+    ExitCode run(Session& session) override {
+        const Hierarchy hierarchy = read_hierarchy(folder_);
+        if (hierarchy.levels.size() < 2) {
+            throw InputError(folder_ + ": has no coarse level: make some with ameco coarsen");
+        }
+        const Json result =
+            hierarchy.dimension == 3 ? study<3>(hierarchy, session) : study<2>(hierarchy, session);
+        session.monitor.clear_line();
+        if (session.json) {
+            session.out << result.dump(2) << '\n';
+        } else {
+            print(session.out, result);
+        }
+        return ExitCode::ok;
+    }
+
+private:
+    template <int D>
+    [[nodiscard]] ModelProblem<D> problem() const {
+        ModelProblem<D> p;
+        p.dirichlet_patches = dirichlet_;
+        if (!velocity_.empty()) {
+            if (velocity_.size() != D) {
+                throw UsageError("--velocity: this hierarchy needs " + std::to_string(D) +
+                                 " numbers");
+            }
+            for (int i = 0; i < D; ++i) {
+                p.velocity[i] = velocity_[static_cast<std::size_t>(i)];
+            }
+        }
+        return p;
+    }
+
+    [[nodiscard]] CycleOptions cycle() const {
+        CycleOptions options;
+        for (const SmootherKind kind : {SmootherKind::jacobi, SmootherKind::gauss_seidel,
+                                        SmootherKind::chebyshev, SmootherKind::line}) {
+            if (name(kind) == smoother_) {
+                options.smoother.kind = kind;
+            }
+        }
+        options.before = options.after = steps_;
+        options.gamma = w_cycle_ ? 2 : 1;
+        return options;
+    }
+
+    [[nodiscard]] CoarseOperator coarse_operator() const {
+        return operator_ == "galerkin"    ? CoarseOperator::galerkin
+               : operator_ == "stiffened" ? CoarseOperator::stiffened
+                                          : CoarseOperator::rediscretised;
+    }
+
+    template <int D>
+    Json study(const Hierarchy& hierarchy, Session& session) const {
+        const Study<D> grids(hierarchy, folder_, session);
+        LevelEquations equations =
+            level_equations(grids.meshes, grids.transfers, problem<D>(), coarse_operator());
+        for (std::size_t k = 0; k < grids.meshes.size(); ++k) {
+            equations.matrices.lines.push_back(
+                unknown_lines(grids.structures[k].lines, equations.unknowns[k]));
+        }
+        Json pairs = Json::array();
+        for (std::size_t k = 0; k + 1 < grids.meshes.size(); ++k) {
+            if (session.monitor.stop_requested()) {
+                throw Cancelled();
+            }
+            session.monitor.progress(0.3 + 0.5 * static_cast<double>(k) /
+                                               static_cast<double>(grids.meshes.size()),
+                                     "two-grid cycles");
+            pairs.push_back(grids.pair(equations, k));
+        }
+        const Vector load = restricted(unit_load(grids.meshes[0]), equations.unknowns[0]);
+        const CycleStudy whole = study_cycle(equations, cycle(), load);
+        write_files(equations, grids.transfers, load, whole);
+        return {{"folder", folder_},
+                {"operator", operator_},
+                {"smoother", smoother_},
+                {"cycle", (w_cycle_ ? "W(" : "V(") + std::to_string(steps_) + "," +
+                              std::to_string(steps_) + ")"},
+                {"pairs", pairs},
+                {"factor", whole.factor},
+                {"krylov", equations.symmetric ? "CG" : "GMRES"},
+                {"iterations", whole.krylov.iterations},
+                {"converged", whole.krylov.converged},
+                {"iterations_random", whole.random_iterations},
+                {"residuals", whole.krylov.residuals},
+                {"operator_complexity", equations.operator_complexity},
+                {"grid_complexity", equations.grid_complexity},
+                {"work_per_cycle", whole.work_per_cycle},
+                {"setup_seconds", whole.setup_seconds},
+                {"solve_seconds", whole.solve_seconds}};
+    }
+
+    void write_files(const LevelEquations& equations, const std::vector<Transfer>& transfers,
+                     const Vector& load, const CycleStudy& whole) const {
+        if (!plot_.empty()) {
+            const std::string svg =
+                convergence_plot({{folder_ + ", " + smoother_, whole.krylov.residuals}});
+            AtomicFile file(plot_);
+            file.write(svg.data(), svg.size());
+            file.commit();
+        }
+        if (matrices_.empty()) {
+            return;
+        }
+        std::error_code failure;
+        fs::create_directories(matrices_, failure);
+        const fs::path folder(matrices_);
+        for (std::size_t k = 0; k < equations.matrices.A.size(); ++k) {
+            const std::string suffix = "_" + std::to_string(k);
+            write_petsc_matrix(folder / ("A" + suffix + ".petsc"), equations.matrices.A[k]);
+            if (k < transfers.size()) {
+                write_matrix_market(folder / ("P" + suffix + ".mtx"), transfers[k].P);
+                write_petsc_matrix(folder / ("P" + suffix + ".petsc"), equations.matrices.P[k]);
+            }
+        }
+        write_petsc_vector(folder / "b.petsc", load);
+    }
+
+    static void print(std::ostream& out, const Json& r) {
+        Table table(
+            {{"levels"}, {"Jacobi(1,1)"}, {"GS(1,1)"}, {"gaps"}, {"lineless"}, {"FF"}, {"G/A"}});
+        for (const Json& p : r["pairs"]) {
+            const int k = p["fine_level"];
+            const Json& v = p["invariants"];
+            table.add_row({std::to_string(k) + "-" + std::to_string(k + 1),
+                           number_text(p["two_grid_jacobi"], 3),
+                           number_text(p["two_grid_gauss_seidel"], 3), count_text(v["gaps"]),
+                           count_text(v["lineless_elements"]),
+                           number_text(v["removed_coupling"]["worst"], 2),
+                           number_text(v["galerkin_ratio"]["worst"], 3)});
+        }
+        table.print(out);
+        out << '\n';
+        for (const Json& p : r["pairs"]) {
+            // 0.12 is the theoretical 1/9 of layers, and a little.
+            if (p["two_grid_jacobi"].get<double>() > 0.12 && p.contains("slowest_error")) {
+                const int k = p["fine_level"];
+                out << "level " << k << ": "
+                    << count_text(p["slowest_error"]["nodes_with_90_percent"])
+                    << " nodes carry 90 % of the slowest error\n";
+                for (const Json& n : p["slowest_error"]["worst_nodes"]) {
+                    out << "  node " << n["node"] << " at " << n["point"].dump() << ", "
+                        << percent_text(n["share"]) << ": " << n["findings"].get<std::string>()
+                        << '\n';
+                }
+            }
+        }
+        print_facts(
+            out,
+            {{"cycle", r["cycle"].get<std::string>() + ", " + r["smoother"].get<std::string>() +
+                           ", " + r["operator"].get<std::string>()},
+             {"factor", number_text(r["factor"], 3)},
+             {"iterations", std::to_string(r["iterations"].get<int>()) + " of " +
+                                r["krylov"].get<std::string>() + " to 1e-8" +
+                                (r["converged"].get<bool>() ? "" : " (NOT CONVERGED)")},
+             {"operator complexity", number_text(r["operator_complexity"], 3)},
+             {"grid complexity", number_text(r["grid_complexity"], 3)},
+             {"set-up, solve", number_text(r["setup_seconds"], 3) + " s, " +
+                                   number_text(r["solve_seconds"], 3) + " s"}});
+    }
+
+    std::string folder_;
+    std::vector<int> dirichlet_;
+    std::vector<double> velocity_;
+    std::string smoother_ = "gauss-seidel";
+    std::string operator_ = "rediscretised";
+    int steps_ = 1;
+    bool w_cycle_ = false;
+    std::string plot_;
+    std::string matrices_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_multigrid_command() {
+    return std::make_unique<MultigridCommand>();
+}
+
+} // namespace ameco::cli

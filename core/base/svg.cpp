@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/base/svg.h"
+
+#include <charconv>
+
+namespace ameco::svg {
+
+std::string number(double value, int decimals) {
+    char text[64];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+    return {text, end.ptr};
+}
+
+std::string short_number(double value) {
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
+    return {text, end.ptr};
+}
+
+std::string open(double width, double height) {
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width, 0) +
+           "\" height=\"" + number(height, 0) + "\" viewBox=\"0 0 " + number(width, 0) + " " +
+           number(height, 0) +
+           "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
+           "fill=\"#ffffff\"/>\n";
+}
+
+std::string text_at(double x, double y, const std::string& text, const char* anchor) {
+    return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" text-anchor=\"" + anchor +
+           "\" fill=\"#222222\">" + text + "</text>\n";
+}
+
+} // namespace ameco::svg

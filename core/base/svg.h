@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Words that our pictures in SVG are made of.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace ameco::svg {
+
+/// Distinguishable without colour vision.
+inline constexpr std::array<const char*, 8> colours{"#1f4e79", "#d95f02", "#1b9e77", "#7570b3",
+                                                    "#e6ab02", "#a6761d", "#666666", "#e7298a"};
+
+/// With so many decimals, whatever the locale.
+[[nodiscard]] std::string number(double value, int decimals = 2);
+/// Three significant digits.
+[[nodiscard]] std::string short_number(double value);
+
+/// The begin of a picture on white; to be ended by "</svg>".
+[[nodiscard]] std::string open(double width, double height);
+
+/// \param text    without characters that XML reserves
+/// \param anchor  "start", "middle" or "end"
+[[nodiscard]] std::string text_at(double x, double y, const std::string& text,
+                                  const char* anchor = "start");
+
+} // namespace ameco::svg

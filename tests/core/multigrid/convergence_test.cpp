@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// What the whole program is for: multigrid converges on our hierarchies at the rate of theory, and
+/// not on those coarsened with as many nodes in all directions.
+#include "core/multigrid/study.h"
+#include "tests/core/multigrid/grids.h"
+
+#include <QTest>
+
+using namespace ameco;
+
+namespace {
+
+double two_grid_factor(const LevelEquations& equations, std::size_t k, SmootherKind kind) {
+    CycleOptions options;
+    options.smoother.kind = kind;
+    return two_grid(equations, k, options, exact_solver(equations, k + 1)).value;
+}
+
+LevelEquations poisson(const grids::Grids<3>& g,
+                       CoarseOperator kind = CoarseOperator::rediscretised) {
+    return level_equations(g.meshes, g.transfers, ModelProblem<3>(), kind);
+}
+
+Mesh<3> tall_layer(const char* aspect_ratio, const char* growth, const char* displace) {
+    return grids::layer<3>({{"nx", "8"},
+                            {"ny", "8"},
+                            {"nz", "32"},
+                            {"aspect-ratio", aspect_ratio},
+                            {"growth", growth},
+                            {"displace", displace}});
+}
+
+} // namespace
+
+class ConvergenceTest : public QObject {
+    Q_OBJECT
+private slots:
+    void two_grids_reach_the_theoretical_factor_in_layers_data();
+    void two_grids_reach_the_theoretical_factor_in_layers();
+    void cycles_do_not_feel_the_aspect_ratio();
+    void full_coarsening_by_the_same_ratio_fails();
+    void one_node_too_many_on_one_line_is_felt_and_found();
+};
+
+void ConvergenceTest::two_grids_reach_the_theoretical_factor_in_layers_data() {
+    QTest::addColumn<QByteArray>("aspect_ratio");
+    QTest::addColumn<QByteArray>("growth");
+    QTest::addColumn<QByteArray>("displace");
+    for (const char* aspect_ratio : {"1e2", "1e4", "1e6"}) {
+        for (const char* growth : {"1", "1.2"}) {
+            for (const char* displace : {"0", "0.2"}) {
+                QTest::addRow("aspect ratio %s, growth %s, displaced by %s", aspect_ratio, growth,
+                              displace)
+                    << QByteArray(aspect_ratio) << QByteArray(growth) << QByteArray(displace);
+            }
+        }
+    }
+}
+
+void ConvergenceTest::two_grids_reach_the_theoretical_factor_in_layers() {
+    QFETCH(QByteArray, aspect_ratio);
+    QFETCH(QByteArray, growth);
+    QFETCH(QByteArray, displace);
+    const auto g = grids::coarsened(
+        tall_layer(aspect_ratio.constData(), growth.constData(), displace.constData()), 4);
+    const LevelEquations equations = poisson(g);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const LevelStructure structure = level_structure(g.meshes[k]);
+        if (structure.lines.node_count < static_cast<std::int64_t>(g.meshes[k].points.size())) {
+            break; // not all of it is layers
+        }
+        const double jacobi = two_grid_factor(equations, k, SmootherKind::jacobi);
+        const double gauss_seidel = two_grid_factor(equations, k, SmootherKind::gauss_seidel);
+        QVERIFY2(jacobi <= 0.115, qPrintable(QString("level %1: %2").arg(k).arg(jacobi)));
+        QVERIFY2(gauss_seidel <= 0.20,
+                 qPrintable(QString("level %1: %2").arg(k).arg(gauss_seidel)));
+    }
+}
+
+void ConvergenceTest::cycles_do_not_feel_the_aspect_ratio() {
+    std::vector<int> iterations;
+    for (const char* aspect_ratio : {"1e4", "1e6"}) {
+        const auto g = grids::coarsened(tall_layer(aspect_ratio, "1", "0.2"), 3);
+        const LevelEquations equations = poisson(g);
+        const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+        const CycleStudy study = study_cycle(equations, {}, load);
+        QVERIFY2(study.factor <= 0.21, qPrintable(QString::number(study.factor)));
+        QVERIFY(study.krylov.iterations <= 8);
+        iterations.push_back(study.krylov.iterations);
+    }
+    QVERIFY(std::abs(iterations[0] - iterations[1]) <= 1);
+}
+
+void ConvergenceTest::full_coarsening_by_the_same_ratio_fails() {
+    // Twice as many nodes go in all, but along the plate instead of across the layers.
+    grids::Grids<3> g;
+    g.meshes.push_back(tall_layer("1e4", "1", "0"));
+    g.meshes.push_back(grids::layer<3>({{"nx", "4"},
+                                        {"ny", "4"},
+                                        {"nz", "32"},
+                                        {"aspect-ratio", "2e4"},
+                                        {"growth", "1"},
+                                        {"displace", "0"}}));
+    g.transfers.push_back(make_transfer(g.meshes[0], g.meshes[1]));
+    QVERIFY(check(g.transfers[0], g.meshes[0], g.meshes[1]).passed());
+    QVERIFY(two_grid_factor(poisson(g), 0, SmootherKind::jacobi) >= 0.9);
+}
+
+void ConvergenceTest::one_node_too_many_on_one_line_is_felt_and_found() {
+    const auto g = grids::coarsened(tall_layer("1e4", "1", "0"), 1);
+    const LevelStructure structure = level_structure(g.meshes[0]);
+    // Takes a kept node in the middle of a line out of P: its line then has a gap of three, bridged
+    // by linear interpolation.
+    Transfer t = g.transfers[0];
+    const IdVector<NodeId, NodeId> kept = coarse_of(t);
+    NodeId victim;
+    for (const NodeId v : g.meshes[0].points.ids()) {
+        const Lines& l = structure.lines;
+        const bool inner = (g.meshes[0].points[v] - Vec<3>(0.5, 0.5, 0)).head<2>().norm() < 1e-9;
+        if (inner && l.position[v] == 16 && kept[v].valid()) {
+            victim = v;
+        }
+    }
+    QVERIFY(victim.valid());
+    const NodeId c = kept[victim];
+    NodeId below = structure.lines.previous[victim], above = structure.lines.next[victim];
+    below = structure.lines.previous[below];
+    above = structure.lines.next[above];
+    SparseMatrix Q(t.P.cols(), t.P.cols());
+    for (int j = 0; j < Q.cols(); ++j) {
+        if (j != c.value()) {
+            Q.insert(j, j) = 1;
+        }
+    }
+    Q.insert(c.value(), kept[below].value()) = 0.5;
+    Q.insert(c.value(), kept[above].value()) = 0.5;
+    t.P = SparseMatrix(t.P * Q);
+    LevelEquations equations = poisson(g);
+    std::vector<NodeId> unknowns;
+    for (const NodeId v : equations.unknowns[1]) {
+        if (v != c) {
+            unknowns.push_back(v);
+        }
+    }
+    equations.matrices.P[0] = restricted(t.P, equations.unknowns[0], unknowns);
+    equations.unknowns[1] = unknowns;
+    equations.matrices.A[1] = galerkin_product(equations.matrices.A[0], equations.matrices.P[0]);
+    const Solver coarse = direct_solver(equations.matrices.A[1]);
+    const ConvergenceFactor slow =
+        two_grid(equations, 0, {{SmootherKind::jacobi}, 1, 1, 1}, coarse);
+    QVERIFY2(slow.value > 0.3, qPrintable(QString::number(slow.value)));
+    t.parent[c] = NodeId();
+    t.kind[victim] = TransferKind::interpolated;
+    const ErrorMode<3> mode =
+        examine_error(g.meshes[0], structure, t, slow.slowest, equations.matrices.A[0].diagonal(),
+                      equations.unknowns[0], equations.ratios[0]);
+    QVERIFY(mode.worst[0].node == victim);
+    QCOMPARE(mode.worst[0].gap, 3);
+    QVERIFY(mode.worst[0].findings.find("gap") != std::string::npos);
+    QVERIFY(mode.carriers < 40);
+}
+
+QTEST_APPLESS_MAIN(ConvergenceTest)
+#include "convergence_test.moc"
