@@ -54,7 +54,8 @@ File with_compression(File file, const FileBytes& bytes) {
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
     const FileBytes bytes(path);
-    const Source source{path, path.string(), bytes.view(), options, &bytes};
+    Source source{path, path.string(), bytes.view(), options, &bytes};
+    source.options.from_memory = source.options.from_memory || bytes.was_compressed();
     return with_compression(format_of(source, false).read(source), bytes);
 }
 

@@ -13,6 +13,7 @@ private slots:
     void coarsens_a_mixed_mesh_and_keeps_its_names();
     void coarsens_quads_and_triangles_in_2d();
     void keeps_names_from_one_solver_to_another();
+    void hands_all_levels_to_a_solver();
     void says_in_one_line_what_is_left_out();
     void converts_mesh_and_metric_for_mtc_and_back();
     void converts_surfaces_but_does_not_coarsen_them();
@@ -137,6 +138,24 @@ void FormatsRunTest::keeps_names_from_one_solver_to_another() {
         last = name;
     }
     QCOMPARE(patch_names(here, last), (QStringList{"wall", "far_field", "inlet", "outlet"}));
+}
+
+void FormatsRunTest::hands_all_levels_to_a_solver() {
+    const Workspace here;
+    here.write("strip.su2", viscous_strip());
+    QCOMPARE(here.ameco({"coarsen", "strip.su2", "-o", "levels", "--levels", "1"}).code, 0);
+    const Run run = here.ameco({"convert", "levels", "su2", "--to", "su2"});
+    QVERIFY2(run.code == 0, run.text());
+    QCOMPARE(here.files("su2"), (QStringList{"level_0.su2", "level_1.su2"}));
+    QCOMPARE(patch_names(here, "su2/level_1.su2"),
+             (QStringList{"wall", "far_field", "inlet", "outlet"}));
+    QCOMPARE(here.ameco({"convert", "levels", "su2"}).code, 2);
+    const Run vtu = here.ameco({"convert", "levels", "paraview", "--to", "vtu"});
+    if (vtu.code != 0) {
+        QSKIP("this build leaves out VTK");
+    }
+    QCOMPARE(here.files("paraview"), (QStringList{"hierarchy.pvd", "level_0.vtu", "level_1.vtu"}));
+    QCOMPARE(here.ameco({"check", "paraview/hierarchy.pvd"}).code, 0);
 }
 
 void FormatsRunTest::says_in_one_line_what_is_left_out() {
