@@ -5,10 +5,14 @@
 #include "app/cli/report.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/statistics_json.h"
+#include "core/io/file_bytes.h"
 #include "core/io/format.h"
+#include "core/io/mapbc.h"
 #include "core/io/text_file.h"
 
 #include <CLI/CLI.hpp>
+
+#include <optional>
 
 namespace ameco::cli {
 namespace {
@@ -48,8 +52,9 @@ public:
             ->type_name("NAME")
             ->check(one_of(names_of_formats()));
         app.add_option("--metric", metric_,
-                       "metric to write beside an MTC meta-file, which names it")
+                       "metric to write beside an MTC meta-file, which names it, or into a .vtu")
             ->type_name("METRIC");
+        app.add_option("--names", names_, "names of the patches (.mapbc)")->type_name("FILE");
         app.add_option("--format-version", version_,
                        "version of the Medit format, 1 to 4 [the input's]")
             ->type_name("N")
@@ -156,14 +161,20 @@ private:
         WriteOptions options;
         options.format = format_;
         const Format& format = format_to_write(output, options, false);
-        if (!metric_.empty() && format.name != "mtc") {
-            throw UsageError("--metric: only an MTC meta-file (.mtc) names a metric");
+        if (!metric_.empty() && format.name != "mtc" && format.name != "vtu") {
+            throw UsageError("--metric: only .mtc and .vtu take a metric beside the mesh");
         }
-        const MeshFile file = load_mesh(input, session, {.surfaces = true});
+        MeshFile file = load_mesh(input, session, {.surfaces = true});
+        take_names(file);
         session.monitor.progress(0.5, "writing " + output);
         options.version = version_ > 0 ? version_ : file.format_version;
         options.carried = &file.carried;
-        options.metric = write_metric_beside(session);
+        std::optional<TensorFile> tensors;
+        if (format.name == "vtu" && !metric_.empty()) {
+            options.tensors = &tensors.emplace(read_tensors(metric_));
+        } else {
+            options.metric = write_metric_beside(session);
+        }
         Conversion result;
         result.format = file.format;
         std::visit(
@@ -176,6 +187,21 @@ private:
             },
             file.mesh);
         return result;
+    }
+
+    /// Names the patches as the file of `--names` says.
+    void take_names(MeshFile& file) const {
+        if (names_.empty()) {
+            return;
+        }
+        const FileBytes bytes(names_);
+        for (const auto& [id, patch] : mapbc::read(bytes.view(), names_)) {
+            if (!patch.name.empty()) {
+                std::visit(
+                    [&, id = id, &name = patch.name](auto& mesh) { mesh.patch_names[id] = name; },
+                    file.mesh);
+            }
+        }
     }
 
     /// Writes the metric of `--metric` in MTC's format; returns its name, or nothing.
@@ -229,6 +255,7 @@ private:
     std::string output_;
     std::string format_;
     std::string metric_;
+    std::string names_;
     int version_ = 0;
 };
 

@@ -57,7 +57,8 @@ struct WriteOptions {
     std::string format = {}; ///< name of a format (format.h); empty: the suffix decides
     int version = 2;         ///< Medit binary, 1-4; raised when sizes or digits demand it
     const std::vector<OpaqueRecord>* carried = nullptr; ///< to be written too; may be null
-    std::filesystem::path metric = {}; ///< file that an MTC meta-file is to name as its metric
+    const TensorFile* tensors = nullptr; ///< metric at the nodes, for .vtu; may be null
+    std::filesystem::path metric = {};   ///< file that an MTC meta-file is to name as its metric
 };
 
 /// Reads a mesh as it stands in the file: nothing is turned, added or dropped (that is

@@ -108,11 +108,50 @@ void add_names(const std::map<int, std::string>& names, vtkUnstructuredGrid& gri
     grid.GetFieldData()->AddArray(bytes);
 }
 
+vtkSmartPointer<vtkDoubleArray> make_reals(const char* name, int components, vtkIdType tuples) {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    return array;
+}
+
+/// Metric, sizes and aspect ratios at the points. VTK's tensors are xx yy zz xy yz xz.
+template <int D>
+void add_metric(const TensorFile& file, vtkUnstructuredGrid& grid, const std::string& name) {
+    const auto* tensors = std::get_if<IdVector<NodeId, Tensor<D>>>(&file.tensors);
+    const vtkIdType n = grid.GetNumberOfPoints();
+    if (tensors == nullptr || static_cast<vtkIdType>(tensors->size()) != n) {
+        throw UsageError(name + ": the metric does not belong to the mesh: their dimensions or "
+                                "numbers of nodes differ");
+    }
+    const auto metric = make_reals("metric", 6, n);
+    const auto sizes = make_reals("sizes", D, n);
+    const auto ratio = make_reals("aspect_ratio", 1, n);
+    for (const NodeId node : tensors->ids()) {
+        const Tensor<D>& t = (*tensors)[node];
+        const std::array<double, 6> in_vtk_order = [&] {
+            if constexpr (D == 3) {
+                return std::array<double, 6>{t[0], t[3], t[5], t[1], t[4], t[2]};
+            } else {
+                return std::array<double, 6>{t[0], t[2], 0, t[1], 0, 0};
+            }
+        }();
+        const Metric<D> m = from_tensor<D>(t);
+        metric->SetTypedTuple(node.value(), in_vtk_order.data());
+        sizes->SetTypedTuple(node.value(), m.sizes.data());
+        ratio->SetValue(node.value(), aspect_ratio(m));
+    }
+    for (const auto& array : {metric, sizes, ratio}) {
+        grid.GetPointData()->AddArray(array);
+    }
+}
+
 } // namespace
 
 template <int D>
 std::vector<std::string> write_vtu(const std::filesystem::path& path, const Mesh<D>& mesh,
-                                   const WriteOptions&) {
+                                   const WriteOptions& options) {
     std::vector<std::string> notes;
     AtomicFile target(path);
     vtkNew<vtkUnstructuredGrid> grid;
@@ -129,6 +168,9 @@ std::vector<std::string> write_vtu(const std::filesystem::path& path, const Mesh
     cells.put_into(*grid);
     add_names(portable_names(mesh.patch_names, notes), *grid);
 
+    if (options.tensors != nullptr) {
+        add_metric<D>(*options.tensors, *grid, path.string());
+    }
     const Silence silence;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writer->SetInputData(grid);

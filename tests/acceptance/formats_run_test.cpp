@@ -16,6 +16,8 @@ private slots:
     void hands_all_levels_to_a_solver();
     void says_in_one_line_what_is_left_out();
     void converts_mesh_and_metric_for_mtc_and_back();
+    void writes_a_metric_into_vtu();
+    void takes_names_from_a_mapbc_file();
     void converts_surfaces_but_does_not_coarsen_them();
     void explains_formats_it_does_not_know();
 };
@@ -182,6 +184,35 @@ void FormatsRunTest::converts_mesh_and_metric_for_mtc_and_back() {
     QCOMPARE(here.ameco({"convert", "cube.meshb", "cube.dimeco"}).code, 0);
     QCOMPARE(here.content("back.dimeco"), here.content("cube.dimeco"));
     QCOMPARE(here.ameco({"convert", "cube.meshb", "a.mesh", "--metric", "cube.solb"}).code, 2);
+}
+
+void FormatsRunTest::writes_a_metric_into_vtu() {
+    const Workspace here;
+    QCOMPARE(here.ameco({"case", "cube", "--n", "2", "-o", "cube.meshb"}).code, 0);
+    QCOMPARE(here.ameco({"metric", "cube.meshb", "-o", "cube.solb"}).code, 0);
+    const Run run = here.ameco({"convert", "cube.meshb", "cube.vtu", "--metric", "cube.solb"});
+    if (run.code == 2 && run.err.contains("cannot be written as a mesh")) {
+        QSKIP("this build leaves out VTK");
+    }
+    QVERIFY2(run.code == 0, run.text());
+    const QByteArray content = here.content("cube.vtu");
+    for (const char* name : {"\"metric\"", "\"sizes\"", "\"aspect_ratio\"", "\"patch\""}) {
+        QVERIFY2(content.contains(name), name);
+    }
+    QCOMPARE(here.ameco({"check", "-q", "cube.vtu"}).code, 0);
+    QCOMPARE(here.ameco({"case", "cube", "--n", "3", "-o", "other.meshb"}).code, 0);
+    const Run other = here.ameco({"convert", "other.meshb", "o.vtu", "--metric", "cube.solb"});
+    QCOMPARE(other.code, 2);
+    QVERIFY2(other.err.contains("the metric does not belong to the mesh"), other.text());
+}
+
+void FormatsRunTest::takes_names_from_a_mapbc_file() {
+    const Workspace here;
+    QCOMPARE(here.ameco({"case", "cube", "--n", "1", "-o", "cube.meshb"}).code, 0);
+    here.write("names.mapbc", "2\n1 3000 solid wall\n2 5000 inflow\n\n");
+    QCOMPARE(here.ameco({"convert", "cube.meshb", "named.meshb", "--names", "names.mapbc"}).code,
+             0);
+    QCOMPARE(patch_names(here, "named.meshb").mid(0, 2), (QStringList{"solid wall", "inflow"}));
 }
 
 void FormatsRunTest::converts_surfaces_but_does_not_coarsen_them() {
