@@ -16,13 +16,16 @@ namespace {
 /// "12 prisms and 3 pyramids"
 struct CountList {
     std::vector<std::string> items;
+    std::size_t total = 0;
 
     void add(std::size_t count, CellType type) {
+        total += count;
         if (count > 0) {
             items.push_back(std::to_string(count) + " " +
                             std::string(count == 1 ? info(type).name : info(type).plural));
         }
     }
+    [[nodiscard]] const char* were() const { return total == 1 ? " was" : " were"; }
     [[nodiscard]] std::string text() const {
         std::string result;
         for (std::size_t i = 0; i < items.size(); ++i) {
@@ -114,11 +117,13 @@ public:
     [[nodiscard]] std::string note(std::size_t simplices) const {
         std::string text = counts_.text();
         if (!counts_.items.empty()) {
-            text += " were split into " + std::to_string(mesh_.elements.size() - simplices) +
-                    " tetrahedra";
+            text += std::string(counts_.were()) + " split into " +
+                    std::to_string(mesh_.elements.size() - simplices) + " tetrahedra";
         }
         if (!face_counts_.items.empty()) {
-            text += (text.empty() ? "" : ", ") + face_counts_.text() + " into triangles";
+            text += text.empty() ? face_counts_.text() + face_counts_.were() + " split"
+                                 : ", " + face_counts_.text();
+            text += " into triangles";
         }
         return text;
     }
@@ -211,7 +216,7 @@ Mesh<2> to_plane(MixedMesh<2>&& mixed, MeshFile& file) {
         turn_if_negative<2>(mesh.points, {elements.data() + first, elements.size() - first});
         CountList counts;
         counts.add(quads, CellType::quadrilateral);
-        file.changes.push_back(counts.text() + " were split into " +
+        file.changes.push_back(counts.text() + counts.were() + " split into " +
                                std::to_string(elements.size() - first) + " triangles");
     }
     return mesh;

@@ -246,7 +246,7 @@ void MixedMeshTest::cuts_quadrilaterals_in_2d_where_they_allow_it() {
     QCOMPARE(mesh.patch[FaceId(0)], 5);
     complete_boundary(mesh);
     QVERIFY2(check(mesh).valid(), check(mesh).summary().c_str());
-    QCOMPARE(file.changes[0], std::string("1 quadrilateral were split into 2 triangles"));
+    QCOMPARE(file.changes[0], std::string("1 quadrilateral was split into 2 triangles"));
 }
 
 void MixedMeshTest::takes_cells_in_a_plane_as_2d() {
