@@ -3,43 +3,17 @@
 
 #include "core/io/byte_order.h"
 #include "core/io/gmsh_comment.h"
+#include "core/io/gmsh_elements.h"
 #include "core/io/mixed_mesh.h"
 #include "core/io/text_scanner.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 namespace ameco::gmsh {
 namespace {
-
-/// Elements of second order, of which the first nodes are the corners.
-struct CurvedType {
-    int code;
-    CellType type;
-    int nodes;
-};
-constexpr std::array<CurvedType, 11> curved_types{{{8, CellType::line, 3},
-                                                   {9, CellType::triangle, 6},
-                                                   {10, CellType::quadrilateral, 9},
-                                                   {11, CellType::tetrahedron, 10},
-                                                   {12, CellType::hexahedron, 27},
-                                                   {13, CellType::prism, 18},
-                                                   {14, CellType::pyramid, 14},
-                                                   {16, CellType::quadrilateral, 8},
-                                                   {17, CellType::hexahedron, 20},
-                                                   {18, CellType::prism, 15},
-                                                   {19, CellType::pyramid, 13}}};
-constexpr int point_code = 15;
-
-/// A kind of cells as the file counts their nodes.
-struct ElementKind {
-    std::optional<CellType> type; ///< nothing for points, which are left out
-    int nodes = 1;
-    bool curved = false;
-};
 
 /// What is kept of each cell beside its nodes, until the whole file is known.
 struct Tags {
@@ -117,7 +91,8 @@ private:
             text_.fail_here(where() + "the tag " + std::to_string(value) +
                             " does not fit into 32 bits");
         }
-        return static_cast<int>(std::abs(value)); // negative: the entity is turned in its group
+        return static_cast<int>(value < 0 ? -value
+                                          : value); // negative: the entity is turned in its group
     }
     /// \param least_bytes  of a row in a binary file
     void check_room(std::int64_t rows, std::int64_t numbers, std::int64_t least_bytes) const {
@@ -355,19 +330,12 @@ private:
     // --- elements ------------------------------------------------------------------------------
 
     ElementKind kind_of(std::int64_t code) const {
-        if (code == point_code) {
-            return {};
+        const std::optional<ElementKind> kind = element_kind(code);
+        if (!kind) {
+            text_.fail_here(where() + "elements of the type " + std::to_string(code) +
+                            " cannot be read; save the mesh with elements of first order");
         }
-        if (const CellTypeInfo* type = find_cell_type(&CellTypeInfo::gmsh, code)) {
-            return {type->type, type->nodes, false};
-        }
-        for (const CurvedType& type : curved_types) {
-            if (type.code == code) {
-                return {type.type, type.nodes, true};
-            }
-        }
-        text_.fail_here(where() + "elements of the type " + std::to_string(code) +
-                        " cannot be read; save the mesh with elements of first order");
+        return *kind;
     }
 
     template <class Next>
