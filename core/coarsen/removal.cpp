@@ -127,10 +127,9 @@ private:
 
     /// \param better_than  size quality that the worst new element must exceed
     Verdict propose(NodeId v, NodeId w, double better_than, Star<D>& star) {
-        const Verdict verdict =
-            propose_collapse(mesh_, in_.sizes, options_.surface, options_.quality,
-                             static_cast<double>(in_.short_size[v]), {.removed = v, .kept = w},
-                             ball_, star);
+        const Verdict verdict = propose_collapse(
+            mesh_, in_.sizes, options_.surface, options_.quality,
+            static_cast<double>(in_.short_size[v]), {.removed = v, .kept = w}, ball_, star);
         if (verdict != Verdict::accepted) {
             return verdict;
         }

@@ -29,7 +29,7 @@ inline constexpr std::array all_target_algorithms{TargetAlgorithm::basic, Target
 
 struct TargetOptions {
     double factor = 2.0; ///< coarse size over fine size [-], > 1
-    double slack = 1.0; ///< how far a size may pass the one before it [-], >= 1; the paper has 1
+    double slack = 1.0;  ///< how far a size may pass the one before it [-], >= 1; the paper has 1
     TargetAlgorithm algorithm = TargetAlgorithm::basic;
     double gradation = 1.5; ///< `graded`: most growth of coarsened sizes per fine edge [-], > 1
 };

@@ -30,7 +30,8 @@ struct HierarchyOptions {
     /// Factors of the levels 1, 2, ...; the last one is that of all further levels. Empty: that of
     /// `coarsen.target`.
     std::vector<double> factors;
-    double target_ratio = 0; ///< nodes of a level over those of the next, > 1; 0: as factors make it
+    double target_ratio =
+        0; ///< nodes of a level over those of the next, > 1; 0: as factors make it
     /// Ends the hierarchy at the first level with 95 % of its nodes below an aspect ratio of 5.
     bool until_isotropic = false;
     /// A level whose number of nodes falls by less than this ratio is not worth a level: it is

@@ -32,6 +32,8 @@ std::string findings(const SlowNode<D>& node) {
     add(!node.kept && node.interpolated_coupling < 0.3,
         "missing strong edge: only " + text(node.interpolated_coupling, 2) +
             " of its coupling goes to the nodes it is interpolated from");
+    add(node.interpolation > 8, "badly interpolated: constant " + text(node.interpolation, 1) +
+                                    " (2 in layers, about 5 elsewhere)");
     add(node.galerkin_ratio > 2, "bad coarse element: the coarse matrix is " +
                                      text(node.galerkin_ratio, 1) + " times too soft");
     return all.empty() ? "nothing conspicuous" : all;
@@ -50,6 +52,7 @@ SlowNode<D> examine(const Mesh<D>& fine, const LevelStructure& structure, const 
     out.gap = gap_at(structure.lines, kept, v);
     out.removed_coupling = removed_coupling(structure.couplings, kept, v);
     out.interpolated_coupling = interpolated_coupling(structure.couplings, transfer, v);
+    out.interpolation = interpolation_constant(structure.couplings, transfer, v);
     out.largest_weight = 0;
     for (SparseMatrix::InnerIterator it(transfer.P, v.value()); it; ++it) {
         out.largest_weight = std::max(out.largest_weight, it.value());

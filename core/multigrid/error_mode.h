@@ -21,6 +21,7 @@ struct SlowNode {
     int gap = 0;                      ///< nodes removed in a row on its line, with it
     double removed_coupling = 0;      ///< to removed neighbours, over a_vv
     double interpolated_coupling = 1; ///< to the nodes it is interpolated from, over a_vv
+    double interpolation = 0;         ///< interpolation constant, 0 of kept nodes
     double largest_weight = 1;        ///< in its row of P
     double galerkin_ratio = 0;        ///< largest of the coarse nodes it is interpolated from
     bool projected = false;

@@ -2,6 +2,7 @@
 #include "core/multigrid/invariants.h"
 
 #include "core/mesh/simplex.h"
+#include "core/multigrid/boundary_projection.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace ameco {
 namespace {
 
 constexpr double ff_bound = 0.8;
+constexpr double interpolation_bound = 12;
 constexpr double galerkin_bound = 2;
 
 template <int D>
@@ -89,25 +91,13 @@ double interpolation_constant(const Couplings& couplings, const Transfer& transf
     if (transfer.kind[v] == TransferKind::nested) {
         return 0;
     }
-    const auto neighbours = couplings.neighbours[v];
-    const auto values = couplings.at(v);
-    double sum = 0;
+    std::vector<NodeId> nodes;
+    std::vector<double> weights;
     for (SparseMatrix::InnerIterator it(transfer.P, v.value()); it; ++it) {
-        const NodeId i = transfer.parent[NodeId(static_cast<std::size_t>(it.col()))];
-        double conductance = 0;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const double first = std::max(0.0, static_cast<double>(values[k]));
-            if (neighbours[k] == i) {
-                conductance += first;
-            } else if (first > 0) {
-                const double second = std::max(
-                    0.0, static_cast<double>(couplings.between(neighbours[k], i)));
-                conductance += first * second / (first + second);
-            }
-        }
-        sum += it.value() / std::max(conductance, 1e-30 * couplings.diagonal[v]);
+        nodes.push_back(transfer.parent[NodeId(static_cast<std::size_t>(it.col()))]);
+        weights.push_back(it.value());
     }
-    return sum * couplings.diagonal[v];
+    return interpolation_constant(couplings, v, nodes, weights);
 }
 
 double removed_coupling(const Couplings& couplings, const IdVector<NodeId, NodeId>& coarse_of,
@@ -171,7 +161,13 @@ PairInvariants<D> pair_invariants(const Mesh<D>& fine, const LevelStructure& fin
     out.coarse_line_nodes = coarse_structure.lines.node_count;
     count_gaps(fine, fine_structure.lines, kept, out);
     count_lineless(coarse, coarse_structure.lines, out);
+    const auto patches = node_patches(fine);
     for (const NodeId v : fine.points.ids()) {
+        if (!kept[v].valid() && patches[v].empty()) {
+            const double K = interpolation_constant(fine_structure.couplings, transfer, v);
+            out.interpolation_exceeded += K > interpolation_bound ? 1 : 0;
+            raise(out.interpolation, K, v, fine);
+        }
         if (!kept[v].valid()) {
             const double ff = removed_coupling(fine_structure.couplings, kept, v);
             out.ff_exceeded += ff > ff_bound ? 1 : 0;

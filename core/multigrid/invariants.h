@@ -7,6 +7,7 @@
 #include "core/multigrid/transfer.h"
 #include "core/remesh/couplings.h"
 #include "core/remesh/lines.h"
+#include "core/remesh/removed_nodes.h"
 
 namespace ameco {
 
@@ -39,6 +40,10 @@ struct PairInvariants {
     WorstPlace<D> ff;
     std::int64_t ff_exceeded = 0; ///< removed nodes above 0.8
 
+    /// max of `interpolation_constant` over the removed nodes inside the domain.
+    WorstPlace<D> interpolation;
+    std::int64_t interpolation_exceeded = 0; ///< removed nodes above 12
+
     /// max of (P^T A P)_ii / (A_c)_ii over the coarse unknowns: how much stiffer the fine mesh sees
     /// a coarse basis function than the coarse mesh does. At most 1.5 is good; above 2 a
     /// stand-alone V(1,1) may diverge. The place is a coarse node.
@@ -61,14 +66,7 @@ template <int D>
 [[nodiscard]] double interpolated_coupling(const Couplings& couplings, const Transfer& transfer,
                                            NodeId v);
 
-/// How far the value interpolated at a removed node may be from the node's own, measured in energy:
-///
-///     K_v = a_vv sum_i w_i / g_vi,   g_vi = c_vi + sum_u c_vu c_ui / (c_vu + c_ui)
-///
-/// over the nodes i it is interpolated from with weights w_i; g is the conductance between v and i
-/// over one or two couplings. Since a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2 <= K_v
-/// times the energy of e around v, a two-grid cycle with exact smoothing converges like 1 - 1/K. 2
-/// in layers. 0 for nodes that were kept.
+/// `interpolation_constant` of a removed node in the final mesh; 0 for nodes that were kept.
 [[nodiscard]] double interpolation_constant(const Couplings& couplings, const Transfer& transfer,
                                             NodeId v);
 

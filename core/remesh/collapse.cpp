@@ -63,8 +63,8 @@ Verdict propose_collapse(const EditMesh<D>& mesh, const SizeField<D>& sizes,
 }
 
 template <int D>
-std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
-                    const Star<D>& star) {
+std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
+                                          const Cavity<D>& ball, const Star<D>& star) {
     if (mesh.node_class(collapse.removed) == NodeClass::ridge) {
         mesh.merge_ridges(collapse.removed, collapse.kept);
     }
@@ -76,8 +76,8 @@ std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse, 
     template Verdict propose_collapse(const EditMesh<D>&, const SizeField<D>&,                     \
                                       const SurfaceRules&, const QualityFloor&, double, Collapse,  \
                                       const Cavity<D>&, Star<D>&);                                 \
-    template std::span<const ElementId> apply_collapse(EditMesh<D>&, Collapse,                     \
-                                      const Cavity<D>&, const Star<D>&);
+    template std::span<const ElementId> apply_collapse(EditMesh<D>&, Collapse, const Cavity<D>&,   \
+                                                       const Star<D>&);
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

@@ -37,7 +37,7 @@ template <int D>
 /// Carries out a collapse that was accepted.
 /// \return  slots of the star's elements, until the next edit
 template <int D>
-std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse, const Cavity<D>& ball,
-                    const Star<D>& star);
+std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
+                                          const Cavity<D>& ball, const Star<D>& star);
 
 } // namespace ameco

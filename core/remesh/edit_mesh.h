@@ -71,7 +71,8 @@ public:
     /// element of `old`; equal ones stand beside each other, in the order of `old`) for `fresh[i]`
     /// where it is not yet taken.
     /// \return  the slots of `fresh`, until the next call
-    std::span<const ElementId> replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
+    std::span<const ElementId> replace(std::span<const ElementId> old,
+                                       std::span<const EditElement<D>> fresh,
                                        std::span<const ElementId> sources);
 
     /// Moves the ridge edges at `removed` to `kept`, after a collapse along a ridge.
@@ -121,7 +122,7 @@ private:
     std::vector<Facet<D>> ridge_faces_;              ///< D = 2: faces that files call ridges
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;
-    Features features_;                ///< of the mesh this was made from
+    Features features_;                        ///< of the mesh this was made from
     std::vector<ElementId> left_over_, slots_; ///< scratch of `replace`
 };
 

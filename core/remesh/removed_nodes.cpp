@@ -4,6 +4,7 @@
 #include "core/geometry/volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,8 +15,7 @@ namespace {
 /// Weights below this are roundings of nodes that lie on a side of their element.
 constexpr double negligible_weight = 1e-9;
 
-/// Least conductance between two nodes, over a_vv: there is always a way over three couplings or
-/// more, and a small weight of a far node does no harm.
+/// Least conductance between two nodes, over a_vv.
 constexpr double least_conductance = 0.02;
 
 template <int D>
@@ -41,6 +41,31 @@ std::array<double, D + 1> weights_in(const EditMesh<D>& mesh, const Simplex<D>& 
 
 } // namespace
 
+double interpolation_constant(const Couplings& couplings, NodeId v, std::span<const NodeId> nodes,
+                              std::span<const double> weights) {
+    const auto neighbours = couplings.neighbours[v];
+    const auto values = couplings.at(v);
+    const auto diagonal = static_cast<double>(couplings.diagonal[v]);
+    double sum = 0;
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+        if (weights[j] <= negligible_weight) {
+            continue;
+        }
+        double conductance = 0;
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const auto first = static_cast<double>(values[k]);
+            if (neighbours[k] == nodes[j]) {
+                conductance += std::max(first, 0.0);
+            } else if (first > 0) {
+                const auto second = static_cast<double>(couplings.between(neighbours[k], nodes[j]));
+                conductance += second > 0 ? first * second / (first + second) : 0;
+            }
+        }
+        sum += weights[j] / std::max(conductance, least_conductance * diagonal);
+    }
+    return diagonal * sum;
+}
+
 template <int D>
 IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
                                              const MetricField<D>& target,
@@ -49,8 +74,8 @@ IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
     for (const NodeId v : natural.ids()) {
         const double directions =
             (target[v].sizes.array() / natural[v].sizes.array()).log().sum() / std::log(2.0);
-        bounds[v] = static_cast<float>(bound.layer +
-                                       bound.per_direction * std::max(directions - 1, 0.0));
+        bounds[v] =
+            static_cast<float>(bound.layer + bound.per_direction * std::max(directions - 1, 0.0));
     }
     return bounds;
 }
@@ -125,34 +150,9 @@ auto RemovedNodes<D>::locate(const EditMesh<D>& mesh, const Star<D>& star, NodeI
             }
         }
     }
-    return {v, found, static_cast<float>(constant(v, star.elements[found].nodes, weights))};
-}
-
-template <int D>
-double RemovedNodes<D>::constant(NodeId v, const Simplex<D>& element,
-                                 const std::array<double, D + 1>& weights) const {
-    const auto neighbours = couplings_.neighbours[v];
-    const auto values = couplings_.at(v);
-    const double diagonal = static_cast<double>(couplings_.diagonal[v]);
-    double sum = 0;
-    for (std::size_t j = 0; j <= D; ++j) {
-        if (weights[j] <= negligible_weight) {
-            continue;
-        }
-        double conductance = 0;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const auto first = static_cast<double>(values[k]);
-            if (neighbours[k] == element[j]) {
-                conductance += std::max(first, 0.0);
-            } else if (first > 0) {
-                const auto second =
-                    static_cast<double>(couplings_.between(neighbours[k], element[j]));
-                conductance += second > 0 ? first * second / (first + second) : 0;
-            }
-        }
-        sum += weights[j] / std::max(conductance, least_conductance * diagonal);
-    }
-    return diagonal * sum;
+    return {v, found,
+            static_cast<float>(
+                interpolation_constant(couplings_, v, star.elements[found].nodes, weights))};
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

@@ -6,11 +6,23 @@
 #include "core/remesh/cavity.h"
 #include "core/remesh/couplings.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
 namespace ameco {
+
+/// What the interpolation of node v from `nodes` with `weights` misses, as a multiple of the
+/// error's energy; with conductances g_vi between v and i over one coupling or two
+/// (c_vu c_ui / (c_vu + c_ui)):
+///
+///     K_v = a_vv sum_i w_i / g_vi
+///
+/// since a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2, and the energy around v is at
+/// least g_vi (e_v - e_i)^2 for each i. 2 on a line across layers. Ways over three couplings or
+/// more count as g = 0.02 a_vv, so that small weights of far nodes do no harm.
+[[nodiscard]] double interpolation_constant(const Couplings& couplings, NodeId v,
+                                            std::span<const NodeId> nodes,
+                                            std::span<const double> weights);
 
 /// How large the interpolation constant of a removed node may become. It grows with the number of
 /// directions that are coarsened, n = sum log2(h'_i / h_i): 2 in an ideal layer (n = 1), above 4 in
@@ -28,14 +40,7 @@ template <int D>
 
 /// The removed nodes, each in the element that holds it, carried along as the mesh is edited.
 ///
-/// A removed node gets its value from the nodes of its element. With weights w_i and conductances
-/// g_vi between v and i, over one coupling or two (c_vu c_ui / (c_vu + c_ui)), the *interpolation
-/// constant*
-///
-///     K_v = a_vv sum_i w_i / g_vi
-///
-/// bounds what the interpolation misses of an error by the error's energy, since
-/// a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2; it is 2 on a line across layers. An
+/// A removed node gets its value from the nodes of its element, see `interpolation_constant`. An
 /// edit that raises K of a node above its bound is refused, be it collapse or swap: this keeps
 /// edges of the coarse mesh along the strong couplings of the fine one, on lines and off them.
 /// Nodes of the boundary are left out: other nodes of the boundary interpolate them, whatever they
@@ -58,6 +63,7 @@ public:
     /// been made; `slots` are those of the star's elements, `old` those of the cavity.
     void move(std::span<const ElementId> old, std::span<const ElementId> slots);
 
+    /// Interpolation constant of a removed node inside the domain, where it is now; 0 of others.
     [[nodiscard]] double constant(NodeId v) const { return static_cast<double>(constant_[v]); }
 
 private:
@@ -67,8 +73,6 @@ private:
         float constant;
     };
     [[nodiscard]] Place locate(const EditMesh<D>& mesh, const Star<D>& star, NodeId v) const;
-    [[nodiscard]] double constant(NodeId v, const Simplex<D>& element,
-                                  const std::array<double, D + 1>& weights) const;
 
     const Couplings& couplings_;
     IdVector<NodeId, float> bounds_;

@@ -14,7 +14,7 @@ enum class Verdict : std::uint8_t {
     geometry_class,   ///< a corner, a required or an interface node, or off its ridge or patch
     gap,              ///< a gap of the line beside the node already lost a node
     line_order,       ///< not an odd node of its line, or not a neighbour on the line
-    weak_coupling,    ///< the edge to the kept node is not one of the strong ones
+    weak_coupling,    ///< a removed node would hang on nodes it is weakly coupled with
     coupling_bound,   ///< too much of the node's stencil is removed already
     inverts_element,  ///< a new element would have no positive volume
     low_quality,      ///< the worst new element is below the floor

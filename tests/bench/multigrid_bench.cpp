@@ -5,14 +5,13 @@
 ///     multigrid_bench mesh=FILE [levels=5] ...
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
-/// adds smoothers, W-cycles and convection. coupling-bound=0.8, strong-share=0.5 and dominance=2
-/// change the rules of the coarsening, mean=blended and slack=1.05 its metric.
+/// adds smoothers, W-cycles and convection. The rules of the coarsening are changed by mean, slack,
+/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/multigrid/study.h"
-#include "core/multigrid/boundary_projection.h"
 
 #include <chrono>
 #include <cstdio>
@@ -70,15 +69,16 @@ Grids<D> make_grids(Mesh<D> mesh, int levels, const CoarsenOptions& options) {
         grids.transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
         const double locate_seconds = watch.lap();
         const TransferCheck c = check(grids.transfers.back(), fine.mesh, coarse.mesh);
-        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, reached %.3f, band %.1f %%, line nodes %lld; coarsen %.2f s, "
-                    "locate %.2f s; projected %lld (farthest %.2g), linear error %.1e%s%s\n",
+        std::printf("  level %d: %lld -> %lld nodes, ratio %.3f, %.3f of predicted, in band %.1f "
+                    "%%, line nodes "
+                    "%lld; coarsen %.2f s, locate %.2f s; projected %lld (farthest %.2g), linear "
+                    "error %.1e%s%s\n",
                     k, whole(report.nodes_before), whole(report.nodes_after),
                     static_cast<double>(report.nodes_before) /
                         static_cast<double>(report.nodes_after),
                     static_cast<double>(report.nodes_after) / report.predicted_nodes,
-                    100 * report.conformity.in_band,
-                    whole(report.line_nodes), coarsen_seconds, locate_seconds, whole(c.projected),
-                    c.largest_projection, c.linear_error,
+                    100 * report.conformity.in_band, whole(report.line_nodes), coarsen_seconds,
+                    locate_seconds, whole(c.projected), c.largest_projection, c.linear_error,
                     c.passed() ? "" : "; TRANSFER CHECK FAILED: ", c.failures().c_str());
         std::fflush(stdout);
         grids.meshes.push_back(std::move(fine.mesh));
@@ -99,66 +99,31 @@ void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::s
     }
     const auto v = pair_invariants(g.meshes[k], g.structures[k], g.meshes[k + 1],
                                    g.structures[k + 1], g.transfers[k], ratios, unknowns);
-    {
-        std::vector<double> K;
-        const auto np = node_patches(g.meshes[k]);
-        for (const NodeId n : g.meshes[k].points.ids()) {
-            const auto pat = g.transfers[k].kind[n];
-            if (pat != TransferKind::nested && np[n].empty()) K.push_back(interpolation_constant(g.structures[k].couplings, g.transfers[k], n));
-        }
-        std::printf("  inner removed %zu, K>4 %ld >6 %ld >8 %ld >12 %ld >20 %ld;", K.size(), std::count_if(K.begin(), K.end(), [](double x){return x>4;}), std::count_if(K.begin(), K.end(), [](double x){return x>6;}),std::count_if(K.begin(), K.end(), [](double x){return x>8;}),std::count_if(K.begin(), K.end(), [](double x){return x>12;}),std::count_if(K.begin(), K.end(), [](double x){return x>20;}));
-        std::sort(K.begin(), K.end());
-        std::printf("  K quantiles:");
-        for (double q : {0.5, 0.9, 0.95, 0.98, 0.99, 0.995, 0.999, 1.0}) std::printf(" %g:%.3g", q, K[std::min(K.size()-1, std::size_t(q*K.size()))]);
-        std::printf("\n");
-    }
     std::printf("    %zu-%zu  gaps %lld (%lld at ends, longest %.0f at %s), three kept in a row "
-                "%lld, lineless "
-                "%lld (%.4f %%), FF %.2f at %s (%lld above 0.8), G/A %.2f at %s (%lld above 2)\n",
+                "%lld, lineless %lld (%.4f %%), FF %.2f at %s, K %.1f at %s (%lld above 12), G/A "
+                "%.2f at %s (%lld above 2)\n",
                 k, k + 1, whole(v.gaps), whole(v.gaps_at_ends), v.longest_gap.value,
                 place<D>(v.longest_gap.point).c_str(), whole(v.stuck), whole(v.lineless_elements),
                 100 * v.lineless_share, v.ff.value, place<D>(v.ff.point).c_str(),
-                whole(v.ff_exceeded), v.galerkin_ratio.value,
+                v.interpolation.value, place<D>(v.interpolation.point).c_str(),
+                whole(v.interpolation_exceeded), v.galerkin_ratio.value,
                 place<D>(v.galerkin_ratio.point).c_str(), whole(v.galerkin_exceeded));
 }
 
 template <int D>
 void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t k,
-                 const ConvergenceFactor& slow, int count, std::size_t o=0) {
+                 const ConvergenceFactor& slow, int count) {
     const Vector diagonal = equations.matrices.A[k].diagonal();
-    if (count == 0) count = 6;
-    const auto mode = examine_error(g.meshes[o+k], g.structures[o+k], g.transfers[o+k], slow.slowest,
+    const auto mode = examine_error(g.meshes[k], g.structures[k], g.transfers[k], slow.slowest,
                                     diagonal, equations.unknowns[k], equations.ratios[k], count);
     std::printf("         slowest error: %lld nodes carry 90 %%\n", whole(mode.carriers));
     for (const auto& n : mode.worst) {
-        std::printf("         K %.3g ", interpolation_constant(g.structures[o+k].couplings, g.transfers[o+k], n.node));
         std::printf("         node %d %s %.1f %% %s%s: gap %d, FF %.2f, interpolated coupling "
-                    "%.2f (largest weight %.2f), G/A %.2f: %s\n",
+                    "%.2f (largest weight %.2f), K %.2f, G/A %.2f: %s\n",
                     n.node.value(), place<D>(n.point).c_str(), 100 * n.share,
                     n.kept ? "kept" : "removed", n.on_line ? ", on a line" : "", n.gap,
-                    n.removed_coupling, n.interpolated_coupling, n.largest_weight, n.galerkin_ratio,
-                    n.findings.c_str());
-    }
-}
-
-template <int D>
-void dump(const Grids<D>& g, std::size_t o, const Vector& err, const std::vector<NodeId>& unk) {
-    const auto kept = coarse_of(g.transfers[o]);
-    IdVector<NodeId, double> e(g.meshes[o].points.size(), 0.0);
-    for (std::size_t i = 0; i < unk.size(); ++i) e[unk[i]] = err[(Eigen::Index)i];
-    const double mx = err.cwiseAbs().maxCoeff();
-    std::stringstream list(getenv("NODES"));
-    for (std::string item; std::getline(list, item, ',');) {
-        const NodeId n(std::size_t(std::stoi(item)));
-        const auto& S = g.structures[o];
-        std::printf("DUMP node %d %s e %.3f kept %d line %d prev %d next %d pos %d\n", n.value(), place<D>(g.meshes[o].points[n]).c_str(), e[n]/mx, kept[n].valid(), S.lines.on_line(n), S.lines.previous[n].value(), S.lines.next[n].value(), S.lines.position[n]);
-        const auto nb = S.couplings.neighbours[n];
-        for (std::size_t i = 0; i < nb.size(); ++i) {
-            const Vec<D> d = g.meshes[o].points[nb[i]] - g.meshes[o].points[n];
-            std::printf("    %d d %s c %.3f e %.3f %s line %d\n", nb[i].value(), place<D>(d).c_str(), S.couplings.at(n)[i] / S.couplings.diagonal[n], e[nb[i]]/mx, kept[nb[i]].valid() ? "KEPT" : "gone", S.lines.on_line(nb[i]));
-        }
-        for (SparseMatrix::InnerIterator it(g.transfers[o].P, n.value()); it; ++it)
-            std::printf("    P %.3f from %d\n", it.value(), g.transfers[o].parent[NodeId(std::size_t(it.col()))].value());
+                    n.removed_coupling, n.interpolated_coupling, n.largest_weight, n.interpolation,
+                    n.galerkin_ratio, n.findings.c_str());
     }
 }
 
@@ -170,15 +135,6 @@ void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) 
         const Solver coarse = exact_solver(equations, k + 1);
         CycleOptions options;
         options.smoother.kind = SmootherKind::gauss_seidel;
-        {
-            const LevelEquations ge = level_equations<D>({g.meshes[k], g.meshes[k + 1]}, {g.transfers[k]}, {}, CoarseOperator::galerkin);
-            if (getenv("GTG")) {
-            const auto f = two_grid(ge, 0, options, exact_solver(ge, 1));
-            std::printf("         galerkin two-grid GS(1,1) %.3f\n", f.value);
-            print_worst(g, ge, 0, f, 0, k);
-            if (getenv("NODES") && k == 0) dump(g, k, f.slowest, ge.unknowns[0]);
-            }
-        }
         const double gs = two_grid(equations, k, options, coarse).value;
         options.smoother.kind = SmootherKind::jacobi;
         const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
@@ -254,6 +210,14 @@ int main(int argc, char** argv) {
     bool full = false;
     std::vector<int> dirichlet;
     CoarsenOptions coarsening;
+    const std::map<std::string, double*> number{
+        {"slack", &coarsening.target.slack},
+        {"dominance", &coarsening.lines.dominance},
+        {"reach", &coarsening.removal.reach},
+        {"later-reach", &coarsening.removal.later_reach},
+        {"coupling-bound", &coarsening.removal.coupling_bound},
+        {"layer-bound", &coarsening.removal.interpolation.layer},
+        {"direction-bound", &coarsening.removal.interpolation.per_direction}};
     for (int i = 1; i < argc; ++i) {
         const std::string arg = argv[i];
         const auto eq = arg.find('=');
@@ -269,34 +233,12 @@ int main(int argc, char** argv) {
             worst = std::stoi(value);
         } else if (key == "full") {
             full = value != "0";
-        } else if (key == "coupling-bound") {
-            coarsening.removal.coupling_bound = std::stod(value);
-        } else if (key == "slack") {
-            coarsening.target.slack = std::stod(value);
         } else if (key == "mean") {
             coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
-        } else if (key == "dominance") {
-            coarsening.lines.dominance = std::stod(value);
-        } else if (key == "surface") {
-            coarsening.removal.surface.relative_distance = std::stod(value);
-        } else if (key == "layer") {
-            coarsening.removal.surface.layer_share = std::stod(value);
-        } else if (key == "kmore") {
-            coarsening.removal.interpolation.per_direction = std::stod(value);
-        } else if (key == "kbound") {
-            coarsening.removal.interpolation.layer = std::stod(value);
-        } else if (key == "reach") {
-            coarsening.removal.later_reach = std::stod(value);
-        } else if (key == "mean") {
-            coarsening.mean = mean_from_name(value).value();
-        } else if (key == "slack") {
-            coarsening.target.slack = std::stod(value);
         } else if (key == "passes") {
             coarsening.passes = std::stoi(value);
-        } else if (key == "below") {
-            coarsening.swaps.below = std::stod(value);
-        } else if (key == "rounds") {
-            coarsening.swaps.rounds = std::stoi(value);
+        } else if (number.contains(key)) {
+            *number.at(key) = std::stod(value);
         } else if (key == "dirichlet") {
             std::stringstream list(value);
             for (std::string item; std::getline(list, item, ',');) {

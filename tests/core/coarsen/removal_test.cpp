@@ -20,8 +20,8 @@ struct Setting {
         : mesh(m), natural(nodal_metric(m)), couplings(make_couplings(m)),
           front(front_order(m, natural, couplings.neighbours)),
           lines(find_lines(m, couplings, front.key)), lines_before(lines),
-          edited(m, classify_geometry(m)), state(m.points.size()) {
-        const MetricField<D> target = target_metric(m, natural);
+          target(target_metric(m, natural)), edited(m, classify_geometry(m)),
+          removed(couplings, interpolation_bounds(natural, target, {})), state(m.points.size()) {
         sizes = make_size_field(target);
         for (const NodeId v : m.points.ids()) {
             natural_factor.push_back(length_factor(natural[v]));
@@ -36,8 +36,8 @@ struct Setting {
         }
     }
 
-    [[nodiscard]] RemovalInput<D> input() const {
-        return {front.order, couplings, sizes, natural_factor, target_factor, short_size};
+    [[nodiscard]] RemovalInput<D> input() {
+        return {front.order, couplings, sizes, natural_factor, target_factor, short_size, removed};
     }
 
     const Mesh<D>& mesh;
@@ -46,10 +46,12 @@ struct Setting {
     FrontOrder front;
     Lines lines;
     const Lines lines_before;
+    const MetricField<D> target;
     SizeField<D> sizes;
     IdVector<NodeId, Mat<D>> natural_factor, target_factor;
     IdVector<NodeId, float> short_size;
     EditMesh<D> edited;
+    RemovedNodes<D> removed;
     RemovalState state;
     VerdictCounts verdicts;
 };

@@ -9,6 +9,7 @@
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/cavity.h"
 #include "core/remesh/metric_quality.h"
+#include "core/remesh/removed_nodes.h"
 #include "tests/support/shapes.h"
 
 #include <Eigen/Geometry>
@@ -43,6 +44,8 @@ struct Workbench {
     MetricField<D> metric;
     SizeField<D> sizes;
     RootField<D> root;
+    const Couplings no_couplings;
+    RemovedNodes<D> removed{no_couplings, {}}; ///< none
     IdVector<NodeId, float> short_size;
     EditMesh<D> edit;
 

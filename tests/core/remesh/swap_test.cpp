@@ -65,7 +65,8 @@ std::int64_t swap_and_verify(Workbench<D>& bench, const Lines& lines) {
     const Extent extent_before = extent(bench.edit.compact().mesh);
     const Look<D> before = look_at(bench, lines);
     VerdictCounts verdicts;
-    swap_bad_elements<D>(bench.edit, {bench.sizes, bench.root, bench.short_size, lines},
+    swap_bad_elements<D>(bench.edit,
+                         {bench.sizes, bench.root, bench.short_size, lines, bench.removed},
                          {.below = 0.9, .size_floor = 0}, plane_sides, verdicts);
     const Look<D> after = look_at(bench, lines);
     const auto compact = bench.edit.compact();
@@ -352,7 +353,8 @@ void SwapTest::does_nothing_to_a_good_mesh() {
     Workbench<2> bench(shapes::single_triangle());
     VerdictCounts verdicts;
     const Lines lines = no_lines(3);
-    swap_bad_elements<2>(bench.edit, {bench.sizes, bench.root, bench.short_size, lines}, {},
+    swap_bad_elements<2>(bench.edit,
+                         {bench.sizes, bench.root, bench.short_size, lines, bench.removed}, {},
                          plane_sides, verdicts);
     for (const std::int64_t count : verdicts.counts) {
         QCOMPARE(count, 0);
