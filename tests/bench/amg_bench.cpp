@@ -161,6 +161,8 @@ private:
         const bool both = options.relaxation == Relaxation::symmetric;
         HYPRE_BoomerAMGSetCycleRelaxType(solver_, both ? hybrid_symmetric : forward, 1);
         HYPRE_BoomerAMGSetCycleRelaxType(solver_, both ? hybrid_symmetric : backward, 2);
+        // Where coarsening ends with many rows (on layers, which are then diagonally dominant),
+        // hypre smooths instead.
         HYPRE_BoomerAMGSetCycleRelaxType(solver_, elimination, 3);
         HYPRE_BoomerAMGSetTol(solver_, 0);
         HYPRE_BoomerAMGSetMaxIter(solver_, 1);
