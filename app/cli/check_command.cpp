@@ -4,6 +4,7 @@
 #include "app/cli/options.h"
 #include "app/cli/report.h"
 #include "core/hierarchy/statistics_json.h"
+#include "core/mesh/check_surface.h"
 
 #include <CLI/CLI.hpp>
 
@@ -59,7 +60,8 @@ void print_verification(std::ostream& out, const std::string& file, const Verifi
         out << "  mended: " << remark << '\n';
     }
     Facts facts{{"nodes", count_text(v.nodes)},
-                {element_word(v.dimension), count_text(v.elements)},
+                {element_word(v.dimension),
+                 v.elements > 0 ? count_text(v.elements) : "none: it is a surface"},
                 {"boundary faces", count_text(v.faces)}};
     if (v.report.valid()) {
         facts.emplace_back(v.dimension == 3 ? "volume" : "area", number_text(v.report.volume, 6));
@@ -86,18 +88,20 @@ public:
                  {"check wing.meshb -q && echo good", "use the exit code in a script"}},
                 "Exit code 3 when the mesh is not valid. Boundary faces that point inwards or are "
                 "missing, elements that are all turned, and unused nodes are mended first, as "
-                "ameco coarsen does; --strict counts them as errors."};
+                "ameco coarsen does; --strict counts them as errors. A surface without elements is "
+                "tested for "
+                "being closed, manifold and turned outwards."};
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("MESH", mesh_, "mesh to test (.mesh, .meshb)")->required();
+        app.add_option("MESH", mesh_, "mesh to test (ameco formats lists the formats)")->required();
         app.add_option("--metric", metric_, "metric at the nodes to measure the mesh in (.solb)")
             ->type_name("METRIC");
         app.add_flag("--strict", strict_, "mend nothing before testing");
     }
 
     ExitCode run(Session& session) override {
-        MeshFile file = load_mesh(mesh_, session);
+        MeshFile file = load_mesh(mesh_, session, {.surfaces = true});
         const Verification v =
             std::visit([&](auto& mesh) { return verify(mesh, session); }, file.mesh);
         session.monitor.clear_line();
@@ -117,6 +121,11 @@ private:
     Verification verify(Mesh<D>& mesh, Session& session) const {
         Verification v;
         v.dimension = D;
+        if constexpr (D == 3) {
+            if (mesh.elements.empty()) {
+                return verify_surface(mesh);
+            }
+        }
         if (!strict_) {
             v.remarks = repair_remarks(complete_boundary(mesh, FeatureOptions{}.ridge_angle_deg));
         }
@@ -133,6 +142,16 @@ private:
         if (!metric_.empty()) {
             v.given = conformity(mesh, given_metric(mesh));
         }
+        return v;
+    }
+
+    /// A surface without elements.
+    static Verification verify_surface(const Mesh<3>& mesh) {
+        Verification v;
+        v.dimension = 3;
+        v.nodes = static_cast<std::int64_t>(mesh.points.size());
+        v.faces = static_cast<std::int64_t>(mesh.faces.size());
+        v.report = check_surface(mesh);
         return v;
     }
 

@@ -9,7 +9,10 @@ std::vector<std::unique_ptr<Command>> all_commands() {
     commands.push_back(make_check_command());
     commands.push_back(make_metric_command());
     commands.push_back(make_coarsen_command());
+    commands.push_back(make_transfer_command());
+    commands.push_back(make_multigrid_command());
     commands.push_back(make_convert_command());
+    commands.push_back(make_formats_command());
     commands.push_back(make_case_command());
     return commands;
 }

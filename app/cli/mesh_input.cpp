@@ -2,6 +2,7 @@
 #include "app/cli/mesh_input.h"
 
 #include "app/cli/report.h"
+#include "core/io/format.h"
 
 #include <algorithm>
 
@@ -9,9 +10,12 @@ namespace ameco::cli {
 
 namespace fs = std::filesystem;
 
-MeshFile load_mesh(const fs::path& path, Session& session) {
+MeshFile load_mesh(const fs::path& path, Session& session, const ReadOptions& options) {
     session.monitor.progress(0, "reading " + path.filename().string());
-    MeshFile file = read_mesh(path);
+    MeshFile file = read_mesh(path, options);
+    for (const std::string& change : file.changes) {
+        session.monitor.message(Severity::warning, path.string() + ": " + change);
+    }
     for (const std::string& note : file.notes) {
         session.monitor.message(Severity::info, path.string() + ": " + note);
     }
@@ -63,8 +67,7 @@ std::string element_word(int dimension) {
 }
 
 bool is_metric_name(const fs::path& path) {
-    const fs::path plain = path.extension() == ".gz" ? path.stem() : path;
-    return plain.extension() == ".sol" || plain.extension() == ".solb";
+    return format_of_suffix(path, true) != nullptr && format_of_suffix(path, false) == nullptr;
 }
 
 void refuse_overwriting(const fs::path& input, const fs::path& output) {

@@ -20,7 +20,8 @@ namespace ameco::cli {
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
 /// Reads a mesh; what was unusual in the file goes to the monitor.
-[[nodiscard]] MeshFile load_mesh(const std::filesystem::path& path, Session& session);
+[[nodiscard]] MeshFile load_mesh(const std::filesystem::path& path, Session& session,
+                                 const ReadOptions& options = {});
 
 /// A mesh that is ready to be computed with.
 struct ReadyMesh {
@@ -39,7 +40,7 @@ struct ReadyMesh {
 /// "Tets" and "triangles": elements of D dimensions.
 [[nodiscard]] std::string element_word(int dimension);
 
-/// Whether a file of this name holds a metric (.sol, .solb, also packed).
+/// Whether a file of this name holds a metric and no mesh (.sol, .solb, .metrique; also packed).
 [[nodiscard]] bool is_metric_name(const std::filesystem::path& path);
 
 /// \throws UsageError when `output` is the same file as `input`

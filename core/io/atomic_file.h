@@ -35,6 +35,9 @@ public:
 
     void write(const void* data, std::size_t bytes);
 
+    /// Where the content is until `commit`, for a library that writes files by itself.
+    [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+
     /// Bytes written so far.
     [[nodiscard]] std::int64_t position() const {
         return flushed_ + static_cast<std::int64_t>(filled_);

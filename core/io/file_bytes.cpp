@@ -128,6 +128,22 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
     }
 }
 
+void FileBytes::forget(const char* begin, const char* end) const {
+    if (was_compressed_ || mapping_ == nullptr) {
+        return;
+    }
+    // Whole pages only: bytes beside the part may still be wanted.
+    static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const auto first = static_cast<std::size_t>(begin - view_.data() + static_cast<int>(page) - 1);
+    const auto last = static_cast<std::size_t>(end - view_.data());
+    const std::size_t from = first / page * page;
+    const std::size_t to = last / page * page;
+    if (from < to) {
+        // It is advice: nothing depends on whether it is taken.
+        static_cast<void>(::madvise(static_cast<char*>(mapping_) + from, to - from, MADV_DONTNEED));
+    }
+}
+
 FileBytes::~FileBytes() {
     if (mapping_) {
         ::munmap(mapping_, mapped_size_);

@@ -24,6 +24,10 @@ public:
     FileBytes& operator=(const FileBytes&) = delete;
 
     [[nodiscard]] std::string_view view() const { return view_; }
+    /// Lets the system take back the memory of a part of the view, which will not be read again
+    /// soon: a reader that is done with a part needs memory for its own result only. The bytes stay
+    /// readable.
+    void forget(const char* begin, const char* end) const;
     [[nodiscard]] bool was_compressed() const { return was_compressed_; }
 
 private:

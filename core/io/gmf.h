@@ -18,6 +18,7 @@
 /// \see docs/user/formats.md; https://github.com/LoicMarechal/libMeshb
 #pragma once
 
+#include "core/io/file_bytes.h"
 #include "core/io/io.h"
 
 #include <filesystem>
@@ -32,8 +33,11 @@ enum class Form { text, binary };
 
 /// Reads the content of a mesh file; nothing if it is not GMF at all.
 /// \param name  of the file, for messages
+/// \param file  where `bytes` lie, if they are mapped from a file; else null
 /// \throws InputError
-[[nodiscard]] std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name);
+[[nodiscard]] std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name,
+                                                const ReadOptions& options = {},
+                                                const FileBytes* file = nullptr);
 
 /// Reads the content of a metric file, likewise.
 [[nodiscard]] std::optional<TensorFile> read_tensors(std::string_view bytes,

@@ -2,11 +2,10 @@
 #include "core/io/gmf_binary_reader.h"
 
 #include "core/base/parallel.h"
+#include "core/io/byte_order.h"
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
-#include <cstring>
 
 namespace ameco::gmf {
 namespace {
@@ -21,20 +20,6 @@ constexpr std::int64_t max_string = 1024;
 /// Fields of one solution, libMeshb's limit.
 constexpr std::int64_t max_fields = 1000;
 
-template <class T>
-T load(const char* at) {
-    T value;
-    std::memcpy(&value, at, sizeof(T));
-    return value;
-}
-
-template <class T>
-T byte_swap(T value) {
-    auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
-    std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<T>(bytes);
-}
-
 /// Loads the numbers of one version and byte order.
 template <class Int, class Real, bool Swapped>
 struct Loader {
@@ -44,12 +29,7 @@ struct Loader {
         const Int value = load<Int>(at);
         return Swapped ? byte_swap(value) : value;
     }
-    static double real(const char* at) {
-        // Swapped as an integer: a signalling NaN on its way through a register might change.
-        using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-        const Bits bits = load<Bits>(at);
-        return static_cast<double>(std::bit_cast<Real>(Swapped ? byte_swap(bits) : bits));
-    }
+    static double real(const char* at) { return load_real<Real>(at, Swapped); }
 };
 
 /// Calls `f` with the loader of the file, so that loops are compiled once for each.
@@ -276,6 +256,9 @@ void BinaryReader::read_points(const Section& section, std::span<double> coordin
             if (any) {
                 any_label = true;
             }
+            if (!any_label) { // they are needed for a second look
+                forget(section.rows + begin * row_bytes, section.rows + end * row_bytes);
+            }
         });
         const auto label_of = [&](std::size_t i) {
             return L::integer(section.rows + i * row_bytes + d * L::real_bytes);
@@ -320,6 +303,7 @@ void BinaryReader::read_cells(const Section& section, std::int64_t node_count,
                     return;
                 }
             }
+            forget(section.rows + begin * row_bytes, section.rows + end * row_bytes);
         });
         if (bad.found()) {
             const char* row = section.rows + bad.row() * row_bytes;

@@ -5,6 +5,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/gmf_writer.h"
+#include "core/io/patch_names.h"
 
 namespace ameco::gmf {
 
@@ -24,7 +25,7 @@ public:
     void commit() override;
 
     /// Bytes of text per name: what libMeshb's reader takes.
-    static constexpr std::size_t name_bytes = 256;
+    static constexpr std::size_t name_bytes = longest_name + 1;
 
 private:
     [[nodiscard]] std::int64_t integer_bytes() const { return version_ == 4 ? 8 : 4; }

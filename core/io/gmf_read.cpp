@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/io/gmf.h"
 #include "core/io/gmf_reader.h"
+#include "core/io/mixed_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +17,19 @@ class MeshReader {
 public:
     explicit MeshReader(Reader& reader) : reader_(reader) {}
 
-    Mesh<D> read();
+    MixedMesh<D> read();
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
 private:
     void read_section(const Section& section);
     void read_points(const Section& section);
     template <std::size_t N>
-    void read_cells(const Section& section, std::vector<std::array<NodeId, N>>& cells,
-                    std::vector<int>& labels);
+    void read_cells(const Section& section, Cells<N>& cells);
     template <class T>
     void read_numbers(const Section& section, std::vector<T>& numbers);
     void take_names(const std::vector<ReferenceString>& strings);
 
     void check_kind() const;
-    void check_points() const;
-    void check_nodes() const;
-    template <std::size_t N>
-    void check_cells(const std::vector<std::array<NodeId, N>>& cells, int keyword) const;
     void check_features() const;
     void check_number(std::size_t number, std::size_t count, int keyword, std::size_t row,
                       int of) const;
@@ -47,14 +43,14 @@ private:
     }
 
     Reader& reader_;
-    Mesh<D> mesh_;
+    MixedMesh<D> mixed_;
     std::vector<std::string> notes_;
     std::map<int, std::int64_t> counts_; ///< rows of the sections seen
     std::int64_t unused_strings_ = 0;
 };
 
 template <int D>
-Mesh<D> MeshReader<D>::read() {
+MixedMesh<D> MeshReader<D>::read() {
     while (const std::optional<Section> section = reader_.next()) {
         if (!counts_.emplace(section->keyword, section->count).second) {
             fail(word(section->keyword) + " occurs a second time at " + reader_.place(*section) +
@@ -64,8 +60,6 @@ Mesh<D> MeshReader<D>::read() {
     }
     take_names(reader_.names_in_comments());
     check_kind();
-    check_points();
-    check_nodes();
     check_features();
     notes_ = reader_.notes();
     if (count_of(sol_at_vertices) > 0) {
@@ -76,34 +70,30 @@ Mesh<D> MeshReader<D>::read() {
         notes_.push_back("skipped " + std::to_string(unused_strings_) +
                          " reference strings that do not name patches");
     }
-    return std::move(mesh_);
+    return std::move(mixed_);
 }
 
 template <int D>
 void MeshReader<D>::read_section(const Section& section) {
     constexpr bool is_3d = D == 3;
-    Features& features = mesh_.features;
+    Features& features = mixed_.features;
     switch (section.keyword) {
     case vertices:
         return read_points(section);
     case edges:
-        if constexpr (is_3d) {
-            return read_cells(section, features.edges, features.edge_labels);
-        } else {
-            return read_cells(section, mesh_.faces.raw(), mesh_.patch.raw());
-        }
+        return read_cells(section, mixed_.lines);
     case triangles:
-        if constexpr (is_3d) {
-            return read_cells(section, mesh_.faces.raw(), mesh_.patch.raw());
-        } else {
-            return read_cells(section, mesh_.elements.raw(), mesh_.region.raw());
-        }
+        return read_cells(section, mixed_.triangles);
+    case quadrilaterals:
+        return read_cells(section, mixed_.quadrilaterals);
     case tetrahedra:
-        if constexpr (is_3d) {
-            return read_cells(section, mesh_.elements.raw(), mesh_.region.raw());
-        } else {
-            return reader_.skip(section);
-        }
+        return read_cells(section, mixed_.tetrahedra);
+    case pyramids:
+        return read_cells(section, mixed_.pyramids);
+    case prisms:
+        return read_cells(section, mixed_.prisms);
+    case hexahedra:
+        return read_cells(section, mixed_.hexahedra);
     case corners:
         return read_numbers(section, features.corners);
     case ridges:
@@ -126,21 +116,19 @@ void MeshReader<D>::read_section(const Section& section) {
 template <int D>
 void MeshReader<D>::read_points(const Section& section) {
     const auto n = static_cast<std::size_t>(section.count);
-    mesh_.points.resize(n, Vec<D>::Zero());
-    reader_.read_points(section, {n == 0 ? nullptr : mesh_.points.data()->data(), n * D},
-                        mesh_.labels.raw());
+    mixed_.points.resize(n, Vec<D>::Zero());
+    reader_.read_points(section, {n == 0 ? nullptr : mixed_.points.data()->data(), n * D},
+                        mixed_.labels.raw());
 }
 
 template <int D>
 template <std::size_t N>
-void MeshReader<D>::read_cells(const Section& section, std::vector<std::array<NodeId, N>>& cells,
-                               std::vector<int>& labels) {
+void MeshReader<D>::read_cells(const Section& section, Cells<N>& cells) {
     const auto n = static_cast<std::size_t>(section.count);
     cells.resize(n);
-    labels.resize(n);
     const bool known = counts_.contains(vertices);
     reader_.read_cells(section, known ? count_of(vertices) : unknown_count,
-                       {n == 0 ? nullptr : cells.data()->data(), n * N}, labels);
+                       {n == 0 ? nullptr : cells.nodes.data()->data(), n * N}, cells.labels);
 }
 
 template <int D>
@@ -157,34 +145,26 @@ void MeshReader<D>::read_numbers(const Section& section, std::vector<T>& numbers
     }
 }
 
-/// A string names a patch if its keyword is that of the faces, or if it stood in a comment.
+/// A string names a curve or a patch if its keyword is that of such cells; one in a comment names a
+/// patch.
 template <int D>
 void MeshReader<D>::take_names(const std::vector<ReferenceString>& strings) {
     constexpr int face_keyword = D == 3 ? triangles : edges;
     for (const ReferenceString& string : strings) {
-        const auto patch = static_cast<int>(string.number);
-        const bool names_patch = string.keyword == 0 || string.keyword == face_keyword;
-        if (names_patch && patch == string.number && !string.text.empty()) {
-            mesh_.patch_names[patch] = string.text;
-        } else {
+        const auto label = static_cast<int>(string.number);
+        const auto keyword = string.keyword == 0 ? face_keyword : string.keyword;
+        if (label != string.number || string.text.empty() ||
+            (keyword != edges && keyword != triangles)) {
             ++unused_strings_;
+        } else {
+            (keyword == edges ? mixed_.line_names : mixed_.face_names)[label] = string.text;
         }
     }
 }
 
-/// What the file is, if it is not a mesh of simplices in D dimensions.
+/// What the file is, if it holds nothing to work on.
 template <int D>
 void MeshReader<D>::check_kind() const {
-    std::string mixed;
-    for (const int keyword : {quadrilaterals, pyramids, prisms, hexahedra}) {
-        if (const std::int64_t count = count_of(keyword); count > 0) {
-            mixed += mixed.empty() ? " " : ", ";
-            mixed += std::to_string(count) + " " + plural(keyword);
-        }
-    }
-    if (!mixed.empty()) {
-        fail("mixed meshes are not supported yet:" + mixed + "; split them into simplices first");
-    }
     if (count_of(vertices) == 0) {
         fail(count_of(sol_at_vertices) > 0
                  ? "holds a solution and no mesh; name the mesh file it belongs to"
@@ -194,47 +174,17 @@ void MeshReader<D>::check_kind() const {
         fail("holds " + std::to_string(count_of(tetrahedra)) +
              " tetrahedra, but its Dimension is 2; write it with Dimension 3");
     }
-    if (mesh_.elements.empty() && (D == 2 || mesh_.faces.empty())) {
-        std::string others;
-        for (const OpaqueRecord& record : reader_.carried()) {
-            others += (others.empty() ? " (it holds " : ", ") + word(record.keyword);
-        }
-        fail(std::string("holds no ") + (D == 3 ? "tetrahedra" : "triangles") + others +
-             (others.empty() ? "" : ")") + "; there is nothing to work on");
-    }
-}
-
-template <int D>
-void MeshReader<D>::check_points() const {
-    for (const NodeId node : mesh_.points.ids()) {
-        if (!mesh_.points[node].allFinite()) {
-            fail("vertex " + std::to_string(node.value() + 1) +
-                 " has a coordinate that is not finite (NaN or infinity); repair the file");
+    for (const int keyword : {triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra}) {
+        if (count_of(keyword) > 0) {
+            return;
         }
     }
-}
-
-/// Needed for cells that a text file lists before its vertices.
-template <int D>
-void MeshReader<D>::check_nodes() const {
-    check_cells(mesh_.elements.raw(), D == 3 ? tetrahedra : triangles);
-    check_cells(mesh_.faces.raw(), D == 3 ? triangles : edges);
-    check_cells(mesh_.features.edges, edges);
-}
-
-template <int D>
-template <std::size_t N>
-void MeshReader<D>::check_cells(const std::vector<std::array<NodeId, N>>& cells,
-                                int keyword) const {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        for (const NodeId node : cells[i]) {
-            if (!mesh_.points.contains(node)) {
-                fail(std::string(entity(keyword)) + " " + std::to_string(i + 1) + " uses node " +
-                     std::to_string(node.index() + 1) + ", but the file has " +
-                     std::to_string(mesh_.points.size()) + " nodes");
-            }
-        }
+    std::string others;
+    for (const OpaqueRecord& record : reader_.carried()) {
+        others += (others.empty() ? " (it holds " : ", ") + word(record.keyword);
     }
+    fail(std::string("holds no ") + (D == 3 ? "tetrahedra" : "triangles") + others +
+         (others.empty() ? "" : ")") + "; there is nothing to work on");
 }
 
 template <int D>
@@ -249,11 +199,11 @@ void MeshReader<D>::check_number(std::size_t number, std::size_t count, int keyw
 
 template <int D>
 void MeshReader<D>::check_features() const {
-    const Features& f = mesh_.features;
-    const std::size_t edge_count = D == 3 ? f.edges.size() : mesh_.faces.size();
+    const Features& f = mixed_.features;
+    const std::size_t edge_count = mixed_.lines.size();
     const auto check_nodes_of = [&](const std::vector<NodeId>& nodes, int keyword) {
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            check_number(nodes[i].index(), mesh_.points.size(), keyword, i, vertices);
+            check_number(nodes[i].index(), mixed_.points.size(), keyword, i, vertices);
         }
     };
     const auto check_rows_of = [&](const std::vector<int>& rows, int keyword, std::size_t count,
@@ -266,69 +216,34 @@ void MeshReader<D>::check_features() const {
     check_nodes_of(f.required_nodes, required_vertices);
     check_rows_of(f.ridges, ridges, edge_count, edges);
     check_rows_of(f.required_edges, required_edges, edge_count, edges);
-    check_rows_of(f.required_faces, required_triangles, mesh_.faces.size(), triangles);
+    check_rows_of(f.required_faces, required_triangles, mixed_.triangles.size(), triangles);
     check_rows_of(f.required_elements, D == 3 ? required_tetrahedra : required_triangles,
-                  mesh_.elements.size(), D == 3 ? tetrahedra : triangles);
+                  D == 3 ? mixed_.tetrahedra.size() : mixed_.triangles.size(),
+                  D == 3 ? tetrahedra : triangles);
 }
 
-bool is_planar(const Mesh<3>& mesh) {
-    const double z = mesh.points[NodeId(0)].z();
-    return std::all_of(mesh.points.begin(), mesh.points.end(),
-                       [&](const Vec<3>& x) { return x.z() == z; });
-}
-
-/// Triangles in a plane z = const, stored in 3-D, as the 2-D mesh they are.
-Mesh<2> flatten(Mesh<3>&& solid) {
-    Mesh<2> flat;
-    flat.points.resize(solid.points.size(), Vec<2>::Zero());
-    for (const NodeId node : solid.points.ids()) {
-        flat.points[node] = solid.points[node].head<2>();
-    }
-    flat.labels = std::move(solid.labels);
-    flat.elements.raw() = std::move(solid.faces.raw());
-    flat.region.raw() = std::move(solid.patch.raw());
-    flat.faces.raw() = std::move(solid.features.edges);
-    flat.patch.raw() = std::move(solid.features.edge_labels);
-    // The names were those of triangles, which are no patches any more.
-    flat.features.corners = std::move(solid.features.corners);
-    flat.features.ridges = std::move(solid.features.ridges);
-    flat.features.required_nodes = std::move(solid.features.required_nodes);
-    flat.features.required_edges = std::move(solid.features.required_edges);
-    flat.features.required_elements = std::move(solid.features.required_faces);
-    return flat;
-}
-
-void read_3d(Reader& reader, MeshFile& file) {
-    MeshReader<3> source(reader);
-    Mesh<3> mesh = source.read();
+template <int D>
+void read_cells(Reader& reader, const ReadOptions& options, MeshFile& file) {
+    MeshReader<D> source(reader);
+    MixedMesh<D> mixed = source.read();
     file.notes = source.notes();
-    if (!mesh.elements.empty()) {
-        file.mesh = std::move(mesh);
-        return;
-    }
-    if (!is_planar(mesh)) {
-        throw InputError(reader.name() + ": is a surface of " + std::to_string(mesh.faces.size()) +
-                         " triangles without tetrahedra; fill it with a volume mesher first");
-    }
-    file.notes.push_back("all z are equal and there are no tetrahedra: taken as a 2-D mesh, "
-                         "without z and without names of patches");
-    file.mesh = flatten(std::move(mesh));
+    finish_mesh(std::move(mixed), {reader.name(), 1, options.surfaces}, file);
 }
 
 } // namespace
 
-std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name) {
+std::optional<MeshFile> read_mesh(std::string_view bytes, const std::string& name,
+                                  const ReadOptions& options, const FileBytes* mapped) {
     const std::unique_ptr<Reader> reader = open_reader(bytes, name);
     if (!reader) {
         return std::nullopt;
     }
+    reader->set_file(mapped);
     MeshFile file;
     if (reader->dimension() == 3) {
-        read_3d(*reader, file);
+        read_cells<3>(*reader, options, file);
     } else {
-        MeshReader<2> source(*reader);
-        file.mesh = source.read();
-        file.notes = source.notes();
+        read_cells<2>(*reader, options, file);
     }
     file.format = reader->format();
     file.format_version = reader->version();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/id.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gmf_keyword.h"
 #include "core/io/io.h"
 
@@ -43,6 +44,9 @@ public:
     virtual ~Reader() = default;
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
+
+    /// Where the content lies, if it is mapped from a file: parts that are read are given back.
+    void set_file(const FileBytes* file) { file_ = file; }
 
     [[nodiscard]] int version() const { return version_; }
     [[nodiscard]] int dimension() const { return dimension_; }
@@ -101,6 +105,14 @@ protected:
     [[noreturn]] void fail_number(const Section& section, std::int64_t row,
                                   std::int64_t number) const;
 
+    /// Rows that are read.
+    void forget(const char* begin, const char* end) const {
+        if (file_ != nullptr) {
+            file_->forget(begin, end);
+        }
+    }
+
+    const FileBytes* file_ = nullptr;
     std::string name_;
     int version_ = 0;
     int dimension_ = 0;

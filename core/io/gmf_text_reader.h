@@ -8,11 +8,9 @@
 #pragma once
 
 #include "core/io/gmf_reader.h"
+#include "core/io/text_scanner.h"
 
 namespace ameco::gmf {
-
-/// The comment that carries the name of a patch; number and name follow.
-inline constexpr std::string_view patch_comment = "# ameco patch ";
 
 [[nodiscard]] bool is_text(std::string_view bytes);
 
@@ -34,9 +32,7 @@ public:
     std::vector<int> read_solution_types(Section& section) override;
     void read_reals(const Section& section, std::span<double> values) override;
     [[nodiscard]] std::vector<OpaqueRecord> carried() const override { return {}; }
-    [[nodiscard]] std::vector<ReferenceString> names_in_comments() const override {
-        return names_in_comments_;
-    }
+    [[nodiscard]] std::vector<ReferenceString> names_in_comments() const override;
     [[nodiscard]] std::vector<std::string> notes() const override;
 
 private:
@@ -44,28 +40,17 @@ private:
     struct Row {
         const Section& section;
         std::int64_t index; ///< 0-based
+        [[nodiscard]] std::string operator()() const;
     };
 
-    [[nodiscard]] std::int64_t line(const char* at) const;
-    [[nodiscard]] std::string_view token() const;
-    [[noreturn]] void fail_here(const std::string& what) const;
-    [[noreturn]] void fail_token(const Row& row, const char* expected) const;
-    void skip_blank();
-    void skip_comment();
     void skip_numbers();
     void skip_section(std::string_view word);
     void check_room(const Section& section, std::int64_t numbers_per_row) const;
-    [[nodiscard]] std::int64_t integer(const Row& row);
-    [[nodiscard]] double real(const Row& row);
-    [[nodiscard]] double unusual_real(const Row& row);
     [[nodiscard]] int label(const Row& row);
     void read_dimension();
 
-    std::string_view bytes_;
-    const char* at_;
-    const char* end_;
-    bool ended_ = false; ///< the End keyword was seen
-    std::vector<ReferenceString> names_in_comments_;
+    TextScanner text_;
+    bool ended_ = false;               ///< the End keyword was seen
     std::vector<std::string> skipped_; ///< the first few unknown sections
     std::int64_t skipped_count_ = 0;
 };

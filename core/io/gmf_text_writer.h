@@ -4,10 +4,8 @@
 /// written with the fewest digits that give back its bits.
 #pragma once
 
-#include "core/io/atomic_file.h"
 #include "core/io/gmf_writer.h"
-
-#include <string_view>
+#include "core/io/text_file.h"
 
 namespace ameco::gmf {
 
@@ -25,12 +23,9 @@ public:
     void commit() override;
 
 private:
-    void text(std::string_view text) { file_.write(text.data(), text.size()); }
-    template <class T>
-    void number(T value, char behind);
     void begin_section(int keyword, std::size_t rows);
 
-    AtomicFile file_;
+    TextFile file_;
 };
 
 } // namespace ameco::gmf

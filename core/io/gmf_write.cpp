@@ -2,6 +2,7 @@
 #include "core/io/gmf.h"
 #include "core/io/gmf_binary_writer.h"
 #include "core/io/gmf_text_writer.h"
+#include "core/io/patch_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,33 +46,6 @@ int version_for(int wanted, bool needs_double, std::int64_t bytes,
 bool same_widths(int version_a, int version_b) {
     const auto widths = [](int version) { return version == 3 ? 2 : version; };
     return widths(version_a) == widths(version_b);
-}
-
-/// The name without what one of the two forms cannot hold.
-std::string portable_name(const std::string& name) {
-    std::string result = name.substr(0, BinaryWriter::name_bytes - 1);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return c >= 0 && c < ' '; }, '_');
-    const std::size_t begin = result.find_first_not_of(' ');
-    const std::size_t last = result.find_last_not_of(' ');
-    return begin == std::string::npos ? "" : result.substr(begin, last - begin + 1);
-}
-
-std::map<int, std::string> portable_names(const std::map<int, std::string>& names,
-                                          std::vector<std::string>& notes) {
-    std::map<int, std::string> result;
-    for (const auto& [patch, name] : names) {
-        std::string portable = portable_name(name);
-        if (portable != name) {
-            notes.push_back("the name of patch " + std::to_string(patch) +
-                            (portable.empty() ? " is blank and was left out"
-                                              : " was changed to '" + portable + "'"));
-        }
-        if (!portable.empty()) {
-            result.emplace(patch, std::move(portable));
-        }
-    }
-    return result;
 }
 
 template <std::size_t N>

@@ -2,79 +2,93 @@
 #include "core/io/io.h"
 
 #include "core/io/file_bytes.h"
-#include "core/io/gmf.h"
+#include "core/io/format.h"
 
 #include <algorithm>
 
 namespace ameco {
 namespace {
 
-/// The suffix in lower case, e.g. ".meshb".
-std::string suffix_of(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return suffix;
+[[noreturn]] void fail_unknown(const Source& source, bool metric) {
+    throw InputError(source.name +
+                     (source.bytes.empty() ? ": is empty; " : ": is of no known format; ") +
+                     (metric ? "metrics that can be read: " : "meshes that can be read: ") +
+                     suffix_list(metric, false));
 }
 
-gmf::Form form_of(const std::filesystem::path& path, const char* text, const char* binary) {
-    const std::string suffix = suffix_of(path);
-    if (suffix == text) {
-        return gmf::Form::text;
+/// By content where that decides, then by suffix.
+const Format& format_of(const Source& source, bool metric) {
+    const Format* by_suffix = format_of_suffix(source.path, metric);
+    const auto fits = [&](const Format& format) {
+        return (metric ? format.read_tensors != nullptr : format.read != nullptr) &&
+               format.recognises != nullptr && format.recognises(source.bytes);
+    };
+    if (by_suffix != nullptr && fits(*by_suffix)) {
+        return *by_suffix;
     }
-    if (suffix == binary) {
-        return gmf::Form::binary;
+    const auto found = std::find_if(formats().begin(), formats().end(), fits);
+    if (found != formats().end()) {
+        return *found;
     }
-    throw UsageError(path.string() + ": files of the kind '" + suffix +
-                     "' cannot be written; choose a name that ends in " + text + " or " + binary);
-}
-
-[[noreturn]] void fail_unknown(const std::filesystem::path& path, std::string_view bytes,
-                               const char* text, const char* binary) {
-    throw InputError(path.string() +
-                     (bytes.empty() ? ": is empty; " : ": is of no known format; ") +
-                     "files that can be read here are Medit " + text + " and " + binary);
+    if (!metric && by_suffix != nullptr && !by_suffix->reads()) {
+        throw Error(ExitCode::not_built, source.name + ": " + std::string(by_suffix->title) +
+                                             " cannot be read: " + std::string(by_suffix->remark));
+    }
+    const bool decides = by_suffix != nullptr && by_suffix->recognises == nullptr &&
+                         (metric ? by_suffix->read_tensors != nullptr : by_suffix->read != nullptr);
+    if (!decides || source.bytes.empty()) {
+        fail_unknown(source, metric);
+    }
+    return *by_suffix;
 }
 
 template <class File>
-File with_compression(std::optional<File> file, const FileBytes& bytes) {
+File with_compression(File file, const FileBytes& bytes) {
     if (bytes.was_compressed()) {
-        file->format += ", gz-compressed";
+        file.format += ", gz-compressed";
     }
-    return std::move(*file);
+    return file;
 }
 
 } // namespace
 
-MeshFile read_mesh(const std::filesystem::path& path) {
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
     const FileBytes bytes(path);
-    std::optional<MeshFile> file = gmf::read_mesh(bytes.view(), path.string());
-    if (!file) {
-        fail_unknown(path, bytes.view(), ".mesh", ".meshb");
-    }
-    return with_compression(std::move(file), bytes);
+    Source source{path, path.string(), bytes.view(), options, &bytes};
+    source.options.from_memory = source.options.from_memory || bytes.was_compressed();
+    return with_compression(format_of(source, false).read(source), bytes);
 }
 
 TensorFile read_tensors(const std::filesystem::path& path) {
     const FileBytes bytes(path);
-    std::optional<TensorFile> file = gmf::read_tensors(bytes.view(), path.string());
-    if (!file) {
-        fail_unknown(path, bytes.view(), ".sol", ".solb");
-    }
-    return with_compression(std::move(file), bytes);
+    const Source source{path, path.string(), bytes.view(), {}, &bytes};
+    return with_compression(format_of(source, true).read_tensors(source), bytes);
 }
 
 template <int D>
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh<D>& mesh,
                                     const WriteOptions& options) {
-    return gmf::write_mesh(path, form_of(path, ".mesh", ".meshb"), mesh, options);
+    const Format& format = format_to_write(path, options, false);
+    std::vector<std::string> notes = losses(format, mesh);
+    std::vector<std::string> changes;
+    if constexpr (D == 3) {
+        changes = format.write_3d(path, mesh, options);
+    } else {
+        changes = format.write_2d(path, mesh, options);
+    }
+    notes.insert(notes.end(), changes.begin(), changes.end());
+    return notes;
 }
 
 template <int D>
 void write_tensors(const std::filesystem::path& path, const IdVector<NodeId, Tensor<D>>& tensors,
                    const WriteOptions& options) {
-    gmf::write_tensors<D>(path, form_of(path, ".sol", ".solb"), tensors, options);
+    const Format& format = format_to_write(path, options, true);
+    if constexpr (D == 3) {
+        format.write_tensors_3d(path, tensors, options);
+    } else {
+        format.write_tensors_2d(path, tensors, options);
+    }
 }
 
 template std::vector<std::string> write_mesh<2>(const std::filesystem::path&, const Mesh<2>&,

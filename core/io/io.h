@@ -28,6 +28,7 @@ struct MeshFile {
     std::string format;                ///< e.g. "Medit binary, version 2"
     int format_version = 2;            ///< of the format, so that a conversion can keep it
     std::vector<OpaqueRecord> carried; ///< records copied through by `convert`
+    std::vector<std::string> changes;  ///< one line each: what is not as it stands in the file
     std::vector<std::string> notes;    ///< one line each: what was unusual, skipped or assumed
 };
 
@@ -47,9 +48,17 @@ struct TensorFile {
     std::vector<std::string> notes;
 };
 
+struct ReadOptions {
+    bool surfaces = false;    ///< accept a surface without elements, as a Mesh<3> of faces
+    bool from_memory = false; ///< the content is not in a file of that name
+};
+
 struct WriteOptions {
-    int version = 2; ///< Medit binary, 1-4; raised when sizes or digits demand it
+    std::string format = {}; ///< name of a format (format.h); empty: the suffix decides
+    int version = 2;         ///< Medit binary, 1-4; raised when sizes or digits demand it
     const std::vector<OpaqueRecord>* carried = nullptr; ///< to be written too; may be null
+    const TensorFile* tensors = nullptr; ///< metric at the nodes, for .vtu; may be null
+    std::filesystem::path metric = {};   ///< file that an MTC meta-file is to name as its metric
 };
 
 /// Reads a mesh as it stands in the file: nothing is turned, added or dropped (that is
@@ -57,13 +66,14 @@ struct WriteOptions {
 /// \throws FileError   cannot be opened or read
 /// \throws InputError  not a mesh of a known format, truncated, or its numbers make no sense (the
 ///                     text names file, place, entity and remedy)
-[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path,
+                                 const ReadOptions& options = {});
 
-/// Writes in the format of the suffix: .mesh (Medit text) or .meshb (Medit binary). The file
-/// appears whole or not at all: it is written beside its final place and then renamed.
+/// Writes in the format of the suffix, or in the one that is asked for (format.h has the table). A
+/// file appears whole or not at all: it is written beside its final place and then renamed.
 /// \return one line per thing that the format cannot carry, or that was changed to fit
 /// \throws FileError   the folder is missing, not writable or full
-/// \throws UsageError  unknown suffix or version
+/// \throws UsageError  unknown suffix, format or version, or a mesh that the format cannot hold
 template <int D>
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh<D>& mesh,
                                     const WriteOptions& options = {});

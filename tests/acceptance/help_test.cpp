@@ -24,7 +24,7 @@ private slots:
 
 namespace {
 
-const QStringList commands{"info", "check", "metric", "coarsen", "convert", "case"};
+const QStringList commands{"info", "check", "metric", "coarsen", "convert", "formats", "case"};
 
 void add_command_rows() {
     QTest::addColumn<QString>("command");

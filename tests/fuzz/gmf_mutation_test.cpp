@@ -4,98 +4,8 @@
 #include "core/io/gmf.h"
 #include "tests/core/io/gmf_bytes.h"
 #include "tests/core/io/io_support.h"
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-#include <malloc.h>
-
-namespace {
-
-/// What operator new was asked for since the last `reset`.
-struct Allocations {
-    std::atomic<std::int64_t> live{0};
-    std::atomic<std::int64_t> peak{0};
-    std::atomic<std::int64_t> largest{0};
-
-    void reset() {
-        peak = live.load();
-        largest = 0;
-    }
-};
-Allocations allocations;
-
-void raise_to(std::atomic<std::int64_t>& maximum, std::int64_t value) {
-    std::int64_t seen = maximum.load();
-    while (value > seen && !maximum.compare_exchange_weak(seen, value)) {
-    }
-}
-
-void* counted_allocation(std::size_t bytes, std::size_t alignment) {
-    void* p = alignment == 0
-                  ? std::malloc(bytes == 0 ? 1 : bytes)
-                  : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    if (!p) {
-        throw std::bad_alloc();
-    }
-    const auto usable = static_cast<std::int64_t>(malloc_usable_size(p));
-    raise_to(allocations.largest, static_cast<std::int64_t>(bytes));
-    raise_to(allocations.peak, allocations.live += usable);
-    return p;
-}
-
-void counted_release(void* p) {
-    if (p) {
-        allocations.live -= static_cast<std::int64_t>(malloc_usable_size(p));
-        std::free(p);
-    }
-}
-
-} // namespace
-
-void* operator new(std::size_t bytes) {
-    return counted_allocation(bytes, 0);
-}
-void* operator new[](std::size_t bytes) {
-    return counted_allocation(bytes, 0);
-}
-void* operator new(std::size_t bytes, std::align_val_t a) {
-    return counted_allocation(bytes, static_cast<std::size_t>(a));
-}
-void* operator new[](std::size_t bytes, std::align_val_t a) {
-    return counted_allocation(bytes, static_cast<std::size_t>(a));
-}
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-    return counted_allocation(bytes, 0);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
-    return counted_allocation(bytes, 0);
-}
-void operator delete(void* p) noexcept {
-    counted_release(p);
-}
-void operator delete[](void* p) noexcept {
-    counted_release(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-    counted_release(p);
-}
-void operator delete[](void* p, std::size_t) noexcept {
-    counted_release(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-    counted_release(p);
-}
-void operator delete[](void* p, std::align_val_t) noexcept {
-    counted_release(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-    counted_release(p);
-}
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
-    counted_release(p);
-}
+#include "tests/fuzz/allocations.h"
+#include "tests/fuzz/damage.h"
 
 using namespace ameco;
 using namespace ameco::test;
@@ -141,48 +51,6 @@ const std::string plane_text =
     "1 2 5\nTriangles\n1\n1 3 2 7\nEnd\n";
 const std::string solution_text =
     "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n3\n1 3\n1 0 1\n2 0.5 2\n1e9 0 1\nEnd\n";
-
-/// Random damage of the kinds that happen to files, and of the kinds that hurt readers.
-std::string damaged(std::string bytes, Random& random, bool text) {
-    constexpr std::int64_t values[] = {
-        0,  1,   -1,  2,          54,        0x7fffffff, -0x80000000LL,
-        64, 255, 199, 0x10000000, 0x1000000, 1LL << 40,  -(1LL << 62)};
-    const char* const tokens[] = {"0",        "-1",          "nan",  "1e999",   "99999999999",
-                                  "Vertices", "End",         "\n",   "#",       "+",
-                                  "2e",       "Triangles 9", "-0.0", "Prisms 1"};
-    for (int i = 1 + random.below(4); i > 0 && !bytes.empty(); --i) {
-        const auto at = static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())));
-        const auto length = std::min<std::size_t>(bytes.size() - at,
-                                                  1 + static_cast<std::size_t>(random.below(16)));
-        switch (random.below(7)) {
-        case 0:
-            bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
-            break;
-        case 1:
-            bytes[at] = static_cast<char>(random.below(256));
-            break;
-        case 2:
-            bytes.resize(at);
-            break;
-        case 3:
-            bytes.erase(at, length);
-            break;
-        case 4:
-            bytes.insert(at, bytes.substr(at, length));
-            break;
-        default:
-            if (text) {
-                bytes.replace(at, length, tokens[random.below(std::size(tokens))]);
-            } else {
-                const std::int64_t value = values[random.below(std::size(values))];
-                const std::size_t width = random.below(2) ? 4 : 8;
-                const std::size_t begin = at / 4 * 4;
-                std::memcpy(bytes.data() + begin, &value, std::min(width, bytes.size() - begin));
-            }
-        }
-    }
-    return bytes;
-}
 
 /// Whatever was read can be written, and read again as the same.
 void check_second_trip(const Folder& folder, const MeshFile& file) {

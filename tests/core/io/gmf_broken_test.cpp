@@ -176,21 +176,6 @@ void rows_about_content() {
         "is a surface of 1 triangles without tetrahedra");
     row("tetrahedra in 2-D", triangle(2).begin(8).integer(1).integers({1, 2, 3, 1, 0}).end(),
         "1 tetrahedra, but its Dimension is 2");
-    row("prisms and pyramids",
-        tetrahedron(2)
-            .begin(9)
-            .integer(1)
-            .integers({1, 2, 3, 1, 2, 3, 0})
-            .end()
-            .begin(49)
-            .integer(2)
-            .integers({1, 2, 3, 4, 1, 0, 1, 2, 3, 4, 1, 0})
-            .end(),
-        "mixed meshes are not supported yet: 2 pyramids, 1 prisms; split them");
-    row("quadrilaterals in 2-D", triangle(2).begin(7).integer(1).integers({1, 2, 3, 1, 0}).end(),
-        "1 quadrilaterals");
-    row("hexahedra", vertices(2).begin(10).integer(1).integers({1, 2, 3, 4, 1, 2, 3, 4, 0}).end(),
-        "1 hexahedra");
     row("a solution", GmfBytes::of(2, 3).begin(62).integer(1).int32(1).int32(1).real(1).end(),
         "holds a solution and no mesh");
 }
@@ -260,8 +245,6 @@ void GmfBrokenTest::names_the_place_in_a_text_file_data() {
     row("Vertices twice", points + "Vertices\n1\n0 0 0\nEnd\n", "second time at line 8");
     row("a large label", points + "Triangles\n1\n1 2 3 9999999999\nEnd\n",
         "triangle 1 has the label 9999999999");
-    row("quadrilaterals", points + "Triangles\n1\n1 2 3 0\nQuadrilaterals\n1\n1 2 3 1 0\nEnd\n",
-        "mixed meshes are not supported yet: 1 quadrilaterals");
     row("no elements", points + "End\n", "holds no triangles");
     row("no vertices", head + "End\n", "holds no vertices");
     row("a corner that does not exist", points + "Triangles\n1\n1 2 3 0\nCorners\n1\n4\nEnd\n",

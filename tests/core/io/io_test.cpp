@@ -54,7 +54,6 @@ void IoTest::refuses_what_is_no_mesh_data() {
                            << "no known format";
     QTest::newRow("a letter") << QByteArray("Dear colleague,\n") << "no known format";
     QTest::newRow("comments only") << QByteArray("# nothing\n# at all") << "no known format";
-    QTest::newRow("SU2") << QByteArray("NDIME= 3\nNELEM= 1\n10 0 1 2 3 0\n") << "no known format";
     QTest::newRow("noise behind a good start")
         << QByteArray("\x01\0\0\0\x02\0\0\0\xff\xfe\xfd\xfc\xfb\xfa\xf9\xf8", 16) << "byte 8";
 }
@@ -153,7 +152,7 @@ void IoTest::reports_damaged_gz() {
 void IoTest::refuses_unknown_suffixes() {
     const Folder folder;
     const Mesh<3> mesh = random_mesh<3>(1, false);
-    for (const char* name : {"a", "a.msh", "a.mesh.gz", "a.sol"}) {
+    for (const char* name : {"a", "a.step", "a.mesh.gz", "a.sol"}) {
         const std::string text =
             message_of<UsageError>([&] { static_cast<void>(write_mesh(folder / name, mesh)); });
         QVERIFY(contains(text, name_of(folder / name)));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Files that other programs wrote. Their counts were read from the files' headers by hand.
+#include "core/io/format.h"
+#include "core/io/patch_names.h"
 #include "tests/core/io/io_support.h"
 
 using namespace ameco;
@@ -13,6 +15,8 @@ private slots:
     void keeps_tensors_data();
     void keeps_tensors();
     void reads_the_same_from_text_and_binary();
+    void reads_other_formats_data();
+    void reads_other_formats();
 };
 
 namespace {
@@ -112,6 +116,56 @@ void RealFilesTest::reads_the_same_from_text_and_binary() {
         // The text has 15 digits.
         QVERIFY((text.points[node] - binary.points[node]).norm() < 1e-14);
     }
+}
+
+void RealFilesTest::reads_other_formats_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("nodes");
+    QTest::addColumn<int>("elements");
+    QTest::addColumn<int>("faces");
+    QTest::addColumn<int>("patches");
+    QTest::addColumn<QString>("first_name");
+    // 7950 prisms in 3 tets each, 318 pyramids in 2, 312 tets; 192 quadrilaterals in 2 triangles.
+    QTest::newRow("sphere, mixed")
+        << "sphere_slice_mixed.su2" << 5750 << 24798 << 6116 << 4 << "symmetry_left";
+    QTest::newRow("brick, tabs") << "brick_tets.su2" << 11703 << 59156 << 7372 << 6 << "x_m";
+    QTest::newRow("cylinder") << "cube-cylinder.ugrid" << 395 << 1937 << 296 << 7 << "";
+    QTest::newRow("wedge, ADF") << "wedge2d.cgns" << 3750 << 2 * 3626 << 246 << 4 << "inlet";
+    QTest::newRow("jet, surface") << "falcon_full_surface.msh" << 37375 << 0 << 74754 << 29 << "";
+}
+
+/// Read, converted into three other formats, and read again: nothing is lost.
+void RealFilesTest::reads_other_formats() {
+    QFETCH(QString, name);
+    QFETCH(int, nodes);
+    QFETCH(int, elements);
+    QFETCH(int, faces);
+    QFETCH(int, patches);
+    QFETCH(QString, first_name);
+    const auto path = shared(name);
+    if (!std::filesystem::exists(path)) {
+        QSKIP(qPrintable("AMECO_SHARED_DIR has no meshes/" + name));
+    }
+    if (!format_of_suffix(path, false)->reads()) {
+        QSKIP(qPrintable("this build does not read " + name));
+    }
+    std::visit(
+        [&](const auto& mesh) {
+            QCOMPARE(mesh.points.size(), static_cast<std::size_t>(nodes));
+            QCOMPARE(mesh.elements.size(), static_cast<std::size_t>(elements));
+            QCOMPARE(mesh.faces.size(), static_cast<std::size_t>(faces));
+            QCOMPARE(distinct(mesh.patch.raw()).size(), static_cast<std::size_t>(patches));
+            if (!first_name.isEmpty()) {
+                QCOMPARE(mesh.patch_names.at(1), first_name.toStdString());
+            }
+            const Folder folder;
+            for (const char* out : {"out.meshb", "out.msh", "out.mesh"}) {
+                static_cast<void>(write_mesh(folder / out, mesh));
+                const auto back = read_mesh(folder / out, {.surfaces = true});
+                QVERIFY(same_bits(std::get<std::decay_t<decltype(mesh)>>(back.mesh), mesh));
+            }
+        },
+        read_mesh(path, {.surfaces = true}).mesh);
 }
 
 QTEST_APPLESS_MAIN(RealFilesTest)
