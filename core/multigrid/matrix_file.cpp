@@ -4,12 +4,13 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cstring>
+#include <cstdint>
 #include <fstream>
-#include <sstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,16 +52,78 @@ void write_double(AtomicFile& file, double value) {
 constexpr int petsc_matrix = 1211216;
 constexpr int petsc_vector = 1211214;
 
+const std::string market_banner = "%%MatrixMarket matrix coordinate real general";
+
 [[noreturn]] void refuse(const std::filesystem::path& path, std::int64_t line,
                          const std::string& what) {
     throw InputError(path.string() + ": line " + std::to_string(line) + ": " + what);
+}
+
+/// The next line that is not blank; false at the end of the file.
+bool next_line(std::istream& in, std::string& line, std::int64_t& number) {
+    do {
+        ++number;
+        if (!std::getline(in, line)) {
+            return false;
+        }
+    } while (line.find_first_not_of(" \t\r") == std::string::npos);
+    return true;
+}
+
+/// Numbers separated by blanks, and nothing else on the line.
+template <class... Numbers>
+bool parse(const std::string& line, Numbers&... numbers) {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    const auto skip_blanks = [&] {
+        while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) {
+            ++at;
+        }
+    };
+    const auto next = [&](auto& into) {
+        skip_blanks();
+        if (end - at > 1 && at[0] == '+' && at[1] != '-') {
+            ++at; // C++ reads no plus sign, Fortran writes them
+        }
+        const auto result = std::from_chars(at, end, into);
+        at = result.ptr;
+        return result.ec == std::errc();
+    };
+    const bool all = (next(numbers) && ...);
+    skip_blanks();
+    return all && at == end;
+}
+
+/// The format's indices are unbounded, ours are `int`.
+constexpr std::int64_t most_rows = std::numeric_limits<int>::max();
+
+struct MatrixSize {
+    std::int64_t rows = 0, columns = 0, entries = 0;
+};
+
+MatrixSize read_size(std::istream& in, const std::filesystem::path& path, std::int64_t& number) {
+    std::string line;
+    MatrixSize size;
+    do {
+        if (!next_line(in, line, number)) {
+            refuse(path, number, "ends before the numbers of rows, columns and entries");
+        }
+    } while (line.front() == '%');
+    if (!parse(line, size.rows, size.columns, size.entries) || size.rows < 0 || size.columns < 0 ||
+        size.entries < 0) {
+        refuse(path, number, "expected the numbers of rows, columns and entries");
+    }
+    if (std::max({size.rows, size.columns, size.entries}) > most_rows) {
+        refuse(path, number, "larger than " + std::to_string(most_rows) + " cannot be read");
+    }
+    return size;
 }
 
 } // namespace
 
 void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix) {
     AtomicFile file(path);
-    write_text(file, "%%MatrixMarket matrix coordinate real general\n");
+    write_text(file, market_banner + "\n");
     write_text(file, std::to_string(matrix.rows()) + ' ' + std::to_string(matrix.cols()) + ' ' +
                          std::to_string(matrix.nonZeros()) + '\n');
     std::string line;
@@ -87,47 +150,37 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
     std::string line;
     std::int64_t number = 1;
     std::getline(in, line);
-    if (line.rfind("%%MatrixMarket matrix coordinate real general", 0) != 0) {
+    if (line.rfind(market_banner, 0) != 0) {
         refuse(path, number, "not a real general MatrixMarket matrix in coordinate form");
     }
-    do {
-        ++number;
-    } while (std::getline(in, line) && line.rfind('%', 0) == 0);
-    long long rows = -1, columns = -1, entries = -1;
-    std::istringstream(line) >> rows >> columns >> entries;
-    if (rows < 0 || columns < 0 || entries < 0) {
-        refuse(path, number, "expected the numbers of rows, columns and entries");
-    }
+    const MatrixSize size = read_size(in, path, number);
     std::vector<Eigen::Triplet<double, int>> triplets;
-    for (long long k = 0; k < entries; ++k) {
-        ++number;
-        std::getline(in, line);
-        const char* at = line.data();
-        const char* const end = at + line.size();
-        long long i = 0, j = 0;
+    for (std::int64_t k = 0; k < size.entries; ++k) {
+        std::int64_t i = 0, j = 0;
         double value = 0;
-        const auto next = [&](auto& into) {
-            while (at < end && *at == ' ') {
-                ++at;
-            }
-            const auto result = std::from_chars(at, end, into);
-            at = result.ptr;
-            return result.ec == std::errc();
-        };
-        if (!in || !next(i) || !next(j) || !next(value) || i < 1 || i > rows || j < 1 ||
-            j > columns) {
+        if (!next_line(in, line, number) || !parse(line, i, j, value) || i < 1 || i > size.rows ||
+            j < 1 || j > size.columns) {
             refuse(path, number,
-                   "expected a row, a column and a number of the " + std::to_string(entries) +
-                       " entries announced");
+                   "expected a row, a column and a number: entry " + std::to_string(k + 1) +
+                       " of the " + std::to_string(size.entries) + " announced");
         }
         triplets.emplace_back(static_cast<int>(i - 1), static_cast<int>(j - 1), value);
     }
-    SparseMatrix matrix(rows, columns);
+    if (next_line(in, line, number)) {
+        refuse(path, number,
+               "more than the " + std::to_string(size.entries) + " entries announced");
+    }
+    SparseMatrix matrix(size.rows, size.columns);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
     return matrix;
 }
 
 void write_petsc_matrix(const std::filesystem::path& path, const SparseMatrix& matrix) {
+    if (!matrix.isCompressed()) {
+        SparseMatrix compressed = matrix;
+        compressed.makeCompressed();
+        return write_petsc_matrix(path, compressed);
+    }
     AtomicFile file(path);
     write_int(file, petsc_matrix);
     write_int(file, matrix.rows());

@@ -14,8 +14,9 @@ namespace ameco {
 /// \throws FileError
 void write_matrix_market(const std::filesystem::path& path, const SparseMatrix& matrix);
 
-/// Reads what `write_matrix_market` writes, and any other general real coordinate file.
-/// \throws FileError, InputError
+/// Reads what `write_matrix_market` writes, and any other general real coordinate file; entries
+/// that are there twice are added. \throws FileError; InputError with the line, also where entries
+/// are missing or too many
 [[nodiscard]] SparseMatrix read_matrix_market(const std::filesystem::path& path);
 
 /// Writes PETSc's binary format for MatLoad: big-endian, 32-bit indices.
