@@ -27,7 +27,7 @@ std::string findings(const SlowNode<D>& node) {
     };
     add(node.gap > 1, "gap: " + std::to_string(node.gap) + " nodes in a row left its line");
     add(node.projected, "projected: outside the coarse domain or off its boundary");
-    add(!node.kept && node.removed_coupling > 0.8,
+    add(!node.kept && node.removed_coupling > 0.9,
         text(node.removed_coupling, 2) + " of its coupling goes to removed nodes");
     add(!node.kept && node.interpolated_coupling < 0.3,
         "missing strong edge: only " + text(node.interpolated_coupling, 2) +

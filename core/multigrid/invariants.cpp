@@ -9,7 +9,7 @@
 namespace ameco {
 namespace {
 
-constexpr double ff_bound = 0.8;
+constexpr double ff_bound = 0.9;
 constexpr double interpolation_bound = 12;
 constexpr double galerkin_bound = 2;
 

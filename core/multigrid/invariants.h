@@ -36,9 +36,9 @@ struct PairInvariants {
     WorstPlace<D> lineless;    ///< one of them: value 1; its first node, of the coarse mesh
 
     /// max over removed v of sum c_vw over removed w, over a_vv: how far a removed node hangs on
-    /// others that were removed. 0 in layers, at most 0.8 elsewhere.
+    /// others that were removed. 0 in layers, at most 0.9 elsewhere.
     WorstPlace<D> ff;
-    std::int64_t ff_exceeded = 0; ///< removed nodes above 0.8
+    std::int64_t ff_exceeded = 0; ///< removed nodes above 0.9
 
     /// max of `interpolation_constant` over the removed nodes inside the domain.
     WorstPlace<D> interpolation;
