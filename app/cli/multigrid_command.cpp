@@ -124,20 +124,29 @@ public:
             ->type_name("PATCH");
         app.add_option("--velocity", velocity_, "velocity of convection, per unit of diffusion")
             ->type_name("X");
-        app.add_option("--smoother", smoother_, "jacobi, gauss-seidel, chebyshev or line")
+        app.add_option("--smoother", smoother_,
+                       "jacobi, gauss-seidel, chebyshev or line [gauss-seidel]")
+            ->type_name("NAME")
             ->check(one_of({"jacobi", "gauss-seidel", "chebyshev", "line"}));
         app.add_option("--operator", operator_,
-                       "coarse matrices: rediscretised, stiffened or galerkin")
+                       "coarse matrices: rediscretised, stiffened or galerkin [rediscretised]")
+            ->type_name("NAME")
             ->check(one_of({"rediscretised", "stiffened", "galerkin"}));
-        app.add_option("--steps", steps_, "smoothing steps before, and after")
+        app.add_option("--steps", steps_, "smoothing steps before, and after [1]")
+            ->type_name("N")
             ->check(whole_number(1, 20));
         app.add_flag("--w-cycle", w_cycle_, "W-cycle instead of V-cycle");
-        app.add_option("--plot", plot_, "picture of the residuals to write (.svg)");
+        app.add_option("--plot", plot_, "picture of the residuals to write (.svg)")
+            ->type_name("FILE");
         app.add_option("--matrices", matrices_,
-                       "folder for P_k.mtx, and A_k.petsc, P_k.petsc and b.petsc of the unknowns");
+                       "folder for P_k.mtx, and A_k.petsc, P_k.petsc and b.petsc of the unknowns")
+            ->type_name("DIR");
     }
 
     ExitCode run(Session& session) override {
+        if (!plot_.empty()) {
+            require_suffix(plot_, {".svg"});
+        }
         const Hierarchy hierarchy = read_hierarchy(folder_);
         if (hierarchy.levels.size() < 2) {
             throw InputError(folder_ + ": has no coarse level: make some with ameco coarsen");
@@ -256,6 +265,14 @@ private:
         write_petsc_vector(folder / "b.petsc", load);
     }
 
+    static std::string place_text(const Json& point) {
+        std::string text;
+        for (const Json& x : point) {
+            text += (text.empty() ? "(" : ", ") + number_text(x, 6);
+        }
+        return text + ")";
+    }
+
     static void print(std::ostream& out, const Json& r) {
         Table table(
             {{"levels"}, {"Jacobi(1,1)"}, {"GS(1,1)"}, {"gaps"}, {"lineless"}, {"FF"}, {"G/A"}});
@@ -279,7 +296,7 @@ private:
                     << count_text(p["slowest_error"]["nodes_with_90_percent"])
                     << " nodes carry 90 % of the slowest error\n";
                 for (const Json& n : p["slowest_error"]["worst_nodes"]) {
-                    out << "  node " << n["node"] << " at " << n["point"].dump() << ", "
+                    out << "  node " << n["node"] << " at " << place_text(n["point"]) << ", "
                         << percent_text(n["share"]) << ": " << n["findings"].get<std::string>()
                         << '\n';
                 }

@@ -20,7 +20,6 @@ inline constexpr std::array<const char*, 8> colours{"#1f4e79", "#d95f02", "#1b9e
 /// The begin of a picture on white; to be ended by "</svg>".
 [[nodiscard]] std::string open(double width, double height);
 
-/// \param text    without characters that XML reserves
 /// \param anchor  "start", "middle" or "end"
 [[nodiscard]] std::string text_at(double x, double y, const std::string& text,
                                   const char* anchor = "start");

@@ -3,26 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/metric/expected_nodes.h"
 #include "core/remesh/front_order.h"
 
-#include <chrono>
-
 namespace ameco {
 namespace {
-
-/// Adds the time since the last call, or since it was made, to a phase.
-class Stopwatch {
-public:
-    void lap(double& seconds) {
-        const auto now = std::chrono::steady_clock::now();
-        seconds += std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 void stop_if_asked(const Monitor& monitor) {
     if (monitor.stop_requested()) {
@@ -98,18 +84,18 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
         if (pass == 0) {
             remove_first_pass(mesh, data.lines, state, input, options.removal, report.removal,
                               part);
-            watch.lap(report.seconds.first_pass);
+            report.seconds.first_pass += watch.lap();
             report.removed_in_first_pass = report.removal[Verdict::accepted];
         } else {
             remove_again(mesh, data.lines, state, input, options.removal, report.removal, part);
-            watch.lap(report.seconds.remove);
+            report.seconds.remove += watch.lap();
         }
         stop_if_asked(monitor);
         const bool last = pass + 1 == options.passes;
         MonitorPart rest(monitor, begin + 0.6 / options.passes, begin + 1.0 / options.passes);
         swap_bad_elements(mesh, swap_input, last ? options.swaps : between, options.removal.surface,
                           report.swaps, rest);
-        watch.lap(report.seconds.swap);
+        report.seconds.swap += watch.lap();
         stop_if_asked(monitor);
     }
 }
@@ -168,7 +154,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     LevelData<D> data;
     prepare_metrics(fine, target, data);
     data.bounds = interpolation_bounds(fine.natural, target, options.removal.interpolation);
-    watch.lap(report.seconds.metric);
+    report.seconds.metric += watch.lap();
     stop_if_asked(monitor);
 
     monitor.progress(0.02, "ordering nodes");
@@ -178,7 +164,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
     EditMesh<D> mesh(fine.mesh, fine.geometry);
-    watch.lap(report.seconds.order);
+    report.seconds.order += watch.lap();
     stop_if_asked(monitor);
 
     MonitorPart editing(monitor, 0.1, 0.85);
@@ -197,10 +183,10 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     }
     measure_deviation(coarse.mesh, coarse.geometry, report);
     report.conformity = conformity(coarse.mesh, restricted(target, coarse.parent));
-    watch.lap(report.seconds.check);
+    report.seconds.check += watch.lap();
     monitor.progress(0.95, "measuring the new mesh");
     coarse.natural = nodal_metric(coarse.mesh, options.mean);
-    watch.lap(report.seconds.metric);
+    report.seconds.metric += watch.lap();
     return coarse;
 }
 

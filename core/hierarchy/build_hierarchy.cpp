@@ -2,11 +2,11 @@
 #include "core/hierarchy/build_hierarchy.h"
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/coarsen/target_ratio.h"
 #include "core/metric/complexity.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -15,16 +15,6 @@
 
 namespace ameco {
 namespace {
-
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Puts the name of the level before each step.
 class LevelMonitor : public MonitorPart {

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/hierarchy/content_hash.h"
 #include "core/hierarchy/hierarchy_json.h"
 #include "core/hierarchy/level_state.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -152,7 +152,7 @@ HierarchyFolder::HierarchyFolder(fs::path folder, const fs::path& source, Hierar
 template <int D>
 void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& statistics,
                                 LevelTiming timing) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::string number = std::to_string(statistics.level);
     HierarchyLevel entry;
     entry.statistics = statistics;
@@ -171,7 +171,7 @@ void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& st
     write_metric(folder_ / metric, level.natural);
     entry.metric = hashed(folder_, metric);
     hierarchy_.levels.push_back(std::move(entry));
-    timing.write = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    timing.write = watch.seconds();
     timings_.push_back(timing);
     write_lists();
 }

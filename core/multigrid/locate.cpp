@@ -2,7 +2,6 @@
 #include "core/multigrid/locate.h"
 
 #include "core/geometry/predicates.h"
-#include "core/geometry/volume.h"
 #include "core/mesh/facets.h"
 #include "core/mesh/simplex.h"
 
@@ -95,25 +94,7 @@ std::optional<ElementId> Locator<D>::walk(const Vec<D>& p, NodeId start) const {
     return std::nullopt;
 }
 
-template <int D>
-std::array<double, D + 1> barycentric(const std::array<Vec<D>, D + 1>& corners, const Vec<D>& p) {
-    std::array<double, D + 1> w;
-    double sum = 0;
-    for (std::size_t i = 0; i <= D; ++i) {
-        auto x = corners;
-        x[i] = p;
-        w[i] = std::max(0.0, volume(x).value);
-        sum += w[i];
-    }
-    for (double& value : w) {
-        value /= sum;
-    }
-    return w;
-}
-
 template class Locator<2>;
 template class Locator<3>;
-template std::array<double, 3> barycentric<2>(const std::array<Vec<2>, 3>&, const Vec<2>&);
-template std::array<double, 4> barycentric<3>(const std::array<Vec<3>, 4>&, const Vec<3>&);
 
 } // namespace ameco

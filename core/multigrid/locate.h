@@ -40,10 +40,4 @@ private:
     IdVector<ElementId, std::array<ElementId, D + 1>> across_; ///< none at the boundary
 };
 
-/// Barycentric coordinates of `p` in a simplex, from the volumes of the D + 1 parts: clipped to
-/// [0, 1], with sum 1. Their error is about eps x aspect ratio.
-template <int D>
-[[nodiscard]] std::array<double, D + 1> barycentric(const std::array<Vec<D>, D + 1>& corners,
-                                                    const Vec<D>& p);
-
 } // namespace ameco

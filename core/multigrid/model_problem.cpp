@@ -5,37 +5,14 @@
 #include "core/base/parallel.h"
 #include "core/geometry/volume.h"
 #include "core/mesh/adjacency.h"
+#include "core/mesh/barycentric.h"
 #include "core/mesh/simplex.h"
 #include "core/multigrid/boundary_projection.h"
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
 namespace ameco {
 namespace {
-
-/// Gradients of the linear basis functions of a simplex, times (D - 1)! D! / (D - 1)! of its
-/// volume: inward facet normals of length (D - 1)! x measure, so that grad phi_i = normals[i] / (D!
-/// V).
-std::array<Vec<2>, 3> inward_normals(const std::array<Vec<2>, 3>& x) {
-    std::array<Vec<2>, 3> n;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec<2> t = x[(i + 2) % 3] - x[(i + 1) % 3];
-        n[i] = {-t[1], t[0]};
-    }
-    return n;
-}
-
-std::array<Vec<3>, 4> inward_normals(const std::array<Vec<3>, 4>& x) {
-    std::array<Vec<3>, 4> n;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto& f = SimplexNumbering<3>::facets[i];
-        const auto corner = [&](std::size_t k) { return x[static_cast<std::size_t>(f[k])]; };
-        n[i] = (corner(2) - corner(0)).cross(corner(1) - corner(0));
-    }
-    return n;
-}
 
 /// D! times the volume.
 template <int D>
@@ -47,7 +24,7 @@ double scaled_volume(const std::array<Vec<D>, D + 1>& x) {
 template <int D>
 std::array<double, D + 1> element_row(const std::array<Vec<D>, D + 1>& x, std::size_t i,
                                       const ModelProblem<D>& problem) {
-    const auto n = inward_normals(x);
+    const auto n = scaled_gradients(x);
     const double det = scaled_volume<D>(x);
     const double volumes = D == 2 ? 2 : 6;
     std::array<double, D + 1> row{};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/multigrid/study.h"
 
+#include "core/base/stopwatch.h"
 #include "core/multigrid/random_vector.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace ameco {
@@ -11,10 +11,6 @@ namespace {
 
 /// Above this many unknowns a direct solver fills memory in 3-D.
 constexpr Eigen::Index direct_limit = 15000;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 IdVector<NodeId, double> as_nodal(const Vector& values) {
     return IdVector<NodeId, double>(std::vector<double>(values.begin(), values.end()));
@@ -123,17 +119,17 @@ CycleStudy study_cycle(const LevelEquations& equations, const CycleOptions& opti
                        const Vector& load) {
     const MultigridMatrices& m = equations.matrices;
     CycleStudy study;
-    auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     const Multigrid solver(m, 0, m.A.size() - 1, options,
                            direct_solver(m.A.back(), equations.symmetric));
-    study.setup_seconds = seconds_since(start);
+    study.setup_seconds = watch.lap();
     const auto solve = [&](const Vector& b) {
         return equations.symmetric ? conjugate_gradients(m.A[0], b, as_preconditioner(solver))
                                    : gmres(m.A[0], b, as_preconditioner(solver));
     };
-    start = std::chrono::steady_clock::now();
+    watch.lap();
     study.krylov = solve(load);
-    study.solve_seconds = seconds_since(start);
+    study.solve_seconds = watch.lap();
     study.random_iterations = solve(random_vector(load.size(), 7)).iterations;
     study.factor = convergence_factor(m.A[0], solver).value;
     study.work_per_cycle = work_of(equations, options);

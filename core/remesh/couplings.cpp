@@ -2,6 +2,7 @@
 #include "core/remesh/couplings.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/barycentric.h"
 #include "core/mesh/simplex.h"
 
 #include <algorithm>
@@ -10,25 +11,6 @@
 
 namespace ameco {
 namespace {
-
-/// Facet normals of length measure times (D - 1)!, pointing outwards, opposite each node.
-std::array<Vec<2>, 3> facet_normals(const std::array<Vec<2>, 3>& x) {
-    std::array<Vec<2>, 3> n;
-    for (int i = 0; i < 3; ++i) {
-        const Vec<2> t = x[(i + 2) % 3] - x[(i + 1) % 3];
-        n[i] = {t[1], -t[0]};
-    }
-    return n;
-}
-
-std::array<Vec<3>, 4> facet_normals(const std::array<Vec<3>, 4>& x) {
-    std::array<Vec<3>, 4> n;
-    for (int i = 0; i < 4; ++i) {
-        const auto& f = SimplexNumbering<3>::facets[i];
-        n[i] = (x[f[1]] - x[f[0]]).cross(x[f[2]] - x[f[0]]);
-    }
-    return n;
-}
 
 double determinant(const std::array<Vec<2>, 3>& x) {
     const Vec<2> a = x[1] - x[0], b = x[2] - x[0];
@@ -45,8 +27,8 @@ void add_element(const Mesh<D>& mesh, ElementId e, NodeId v, std::span<const Nod
                  std::vector<double>& sums) {
     const Simplex<D>& s = mesh.elements[e];
     const auto x = corners_of(mesh, s);
-    const auto n = facet_normals(x);
-    // grad(phi_i) = -n_i / det, volume = det / D!.
+    const auto n = scaled_gradients(x);
+    // grad(phi_i) = n_i / det, volume = det / D!.
     const double scale = (D == 2 ? 0.5 : 1.0 / 6.0) / determinant(x);
     const auto self = static_cast<int>(std::find(s.begin(), s.end(), v) - s.begin());
     for (int j = 0; j <= D; ++j) {
@@ -72,7 +54,6 @@ Couplings make_couplings(const Mesh<D>& mesh) {
     out.neighbours = node_neighbours(mesh, ball);
     out.values.resize(out.neighbours.values.size());
     out.diagonal.assign(mesh.points.size(), 0);
-    out.strongest.assign(mesh.points.size(), 0);
     parallel_for(mesh.points.size(), 2048, [&](std::size_t begin, std::size_t end) {
         std::vector<double> sums;
         for (std::size_t i = begin; i < end; ++i) {
@@ -82,15 +63,13 @@ Couplings make_couplings(const Mesh<D>& mesh) {
             for (const ElementId e : std::as_const(ball)[v]) {
                 add_element(mesh, e, v, neighbours, sums);
             }
-            double total = 0, strongest = 0;
+            double total = 0;
             const auto row = static_cast<std::size_t>(out.neighbours.start[i]);
             for (std::size_t k = 0; k < sums.size(); ++k) {
                 out.values[row + k] = static_cast<float>(sums[k]);
                 total += sums[k];
-                strongest = std::max(strongest, sums[k]);
             }
             out.diagonal[v] = static_cast<float>(total);
-            out.strongest[v] = static_cast<float>(strongest);
         }
     });
     return out;

@@ -11,10 +11,9 @@ namespace ameco {
 /// linear finite elements. A point smoother reduces an error along strong couplings only: they,
 /// not the metric, decide which nodes multigrid can do without.
 struct Couplings {
-    NodeNodes neighbours;              ///< in ascending order
-    std::vector<float> values;         ///< c_vw, beside neighbours.values [L^(D-2)]
-    IdVector<NodeId, float> diagonal;  ///< a_vv
-    IdVector<NodeId, float> strongest; ///< max over w of c_vw
+    NodeNodes neighbours;             ///< in ascending order
+    std::vector<float> values;        ///< c_vw, beside neighbours.values [L^(D-2)]
+    IdVector<NodeId, float> diagonal; ///< a_vv
 
     /// c_vw, or 0 where v and w share no edge.
     [[nodiscard]] float between(NodeId v, NodeId w) const;

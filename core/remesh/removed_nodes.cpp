@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/removed_nodes.h"
 
-#include "core/geometry/volume.h"
+#include "core/mesh/barycentric.h"
 
 #include <algorithm>
 #include <array>
@@ -19,24 +19,10 @@ constexpr double negligible_weight = 1e-9;
 constexpr double least_conductance = 0.02;
 
 template <int D>
-std::array<double, D + 1> weights_in(const EditMesh<D>& mesh, const Simplex<D>& s,
-                                     const Vec<D>& p) {
+std::array<Vec<D>, D + 1> corners_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
     std::array<Vec<D>, D + 1> x;
-    for (std::size_t i = 0; i <= D; ++i) {
-        x[i] = mesh.point(s[i]);
-    }
-    std::array<double, D + 1> w;
-    double sum = 0;
-    for (std::size_t i = 0; i <= D; ++i) {
-        const Vec<D> corner = std::exchange(x[i], p);
-        w[i] = volume(x).value;
-        x[i] = corner;
-        sum += w[i];
-    }
-    for (double& value : w) {
-        value /= sum;
-    }
-    return w;
+    std::transform(s.begin(), s.end(), x.begin(), [&](NodeId v) { return mesh.point(v); });
+    return x;
 }
 
 } // namespace
@@ -139,7 +125,7 @@ auto RemovedNodes<D>::locate(const EditMesh<D>& mesh, const Star<D>& star, NodeI
         if (s[D] == mesh.ghost()) {
             continue;
         }
-        const auto w = weights_in(mesh, s, mesh.point(v));
+        const auto w = barycentric<D>(corners_of(mesh, s), mesh.point(v));
         const double least = *std::min_element(w.begin(), w.end());
         if (least > best) {
             best = least;

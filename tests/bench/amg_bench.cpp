@@ -7,13 +7,13 @@
 /// Poisson's equation with f = 1 and Dirichlet conditions on the whole boundary; the same conjugate
 /// gradients to |b - A x| <= 1e-8 |b|, only the preconditioner differs. One process, and one thread
 /// from the preconditioner's set-up on.
+#include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/multigrid/study.h"
 #include "tests/core/multigrid/grids.h"
 
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <numeric>
@@ -26,19 +26,6 @@
 using namespace ameco;
 
 namespace {
-
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 struct Row {
     std::string coarse, smoothing;

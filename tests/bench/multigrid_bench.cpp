@@ -7,32 +7,19 @@
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
 /// adds smoothers, W-cycles and convection. The rules of the coarsening are changed by mean, slack,
 /// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
+#include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/multigrid/study.h"
 
-#include <chrono>
 #include <cstdio>
 #include <sstream>
 
 using namespace ameco;
 
 namespace {
-
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 template <int D>
 struct Grids {

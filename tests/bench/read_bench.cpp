@@ -2,11 +2,11 @@
 /// \file
 /// Time and memory of reading a mesh, beside copying the same file to a RAM disk in the same run:
 /// `read_bench wing.meshb`. The file is read once before, so that it is in memory.
+#include "core/base/stopwatch.h"
 #include "core/io/io.h"
 
 #include <sys/resource.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,9 +19,9 @@ constexpr int rounds = 5;
 
 template <class F>
 double seconds(F&& f) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     f();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return watch.seconds();
 }
 
 template <class... Arrays>
