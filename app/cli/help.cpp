@@ -133,8 +133,12 @@ std::string ProgramHelpFormatter::make_help(const CLI::App* app, std::string,
          {"info wing.meshb", "look at a mesh: patches, stretching, memory needed"},
          {"case onera-m6 -o m6.meshb", "make a mesh to try it on"}});
     text += "\nUsage:\n  ameco COMMAND [arguments] [options]\n\nCommands:\n";
+    std::size_t width = 0;
     for (const CommandHelp& command : commands_) {
-        text += entry(command.name, command.summary, 8);
+        width = std::max(width, command.name.size());
+    }
+    for (const CommandHelp& command : commands_) {
+        text += entry(command.name, command.summary, width);
     }
     text += option_group(*app, "Options", common_group, false);
     return text + "\nMore about a command: ameco COMMAND --help\n";

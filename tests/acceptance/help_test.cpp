@@ -24,7 +24,8 @@ private slots:
 
 namespace {
 
-const QStringList commands{"info", "check", "metric", "coarsen", "convert", "formats", "case"};
+const QStringList commands{"info",      "check",   "metric",  "coarsen", "transfer",
+                           "multigrid", "convert", "formats", "case"};
 
 void add_command_rows() {
     QTest::addColumn<QString>("command");
@@ -43,6 +44,15 @@ void HelpTest::is_printed_when_nothing_is_asked_for() {
         QVERIFY2(run.out.contains("\n  " + command + " "), run.text());
     }
     QCOMPARE(Workspace().ameco({"--help"}).out, run.out);
+    // No command is left out of these tests, nor of the manual.
+    QStringList listed;
+    const QRegularExpression line("^  ([a-z]+)  +[A-Z]");
+    for (const QString& text : run.out.split('\n')) {
+        if (const auto match = line.match(text); match.hasMatch()) {
+            listed << match.captured(1);
+        }
+    }
+    QCOMPARE(listed, commands);
 }
 
 void HelpTest::begins_with_examples_data() {
@@ -136,28 +146,29 @@ void HelpTest::uses_no_colour_outside_a_terminal() {
 
 void HelpTest::is_the_same_in_the_manual() {
     const Workspace here;
-    QString manual = "# The command line\n\n"
-                     "This page is written by `tests/acceptance/help_test.cpp` from the program's "
-                     "own help.\n\n"
-                     "Results go to standard output, everything else to standard error. `--json` "
-                     "gives the same\nresults for programs. On a terminal a line shows progress; "
-                     "elsewhere a line is printed every 10 %.\nThe first Ctrl-C asks a run to "
-                     "stop at the next safe place, the second one stops it at once.\nMessages are "
-                     "coloured on a terminal unless `NO_COLOR` is set. No input file is ever "
-                     "overwritten,\nand an output file appears whole or not at all.\n\n"
-                     "## Exit codes\n\n"
-                     "| code | meaning |\n|---|---|\n"
-                     "| 0 | done |\n"
-                     "| 1 | a bug of ours: please report it |\n"
-                     "| 2 | wrong usage: the message says what and where to look |\n"
-                     "| 3 | a check failed: not a valid mesh (`check`), nothing could be coarsened "
-                     "(`coarsen`) |\n"
-                     "| 4 | a file cannot be read or written |\n"
-                     "| 5 | a file was read, but what it holds is not a usable mesh or metric |\n"
-                     "| 6 | stopped early; the levels that were finished are kept |\n"
-                     "| 7 | not enough memory |\n"
-                     "| 8 | the feature was left out of this build |\n"
-                     "| 130 | stopped before there was a result |\n";
+    QString manual =
+        "# The command line\n\n"
+        "This page is written by `tests/acceptance/help_test.cpp` from the program's "
+        "own help.\n\n"
+        "Results go to standard output, everything else to standard error. `--json` "
+        "gives the same\nresults for programs. On a terminal a line shows progress; "
+        "elsewhere a line is printed every 10 %.\nThe first Ctrl-C asks a run to "
+        "stop at the next safe place, the second one stops it at once.\nMessages are "
+        "coloured on a terminal unless `NO_COLOR` is set. No input file is ever "
+        "overwritten,\nand an output file appears whole or not at all.\n\n"
+        "## Exit codes\n\n"
+        "| code | meaning |\n|---|---|\n"
+        "| 0 | done |\n"
+        "| 1 | a bug of ours: please report it |\n"
+        "| 2 | wrong usage: the message says what and where to look |\n"
+        "| 3 | a check failed: not a valid mesh (`check`), an operator that is not what it must "
+        "be (`transfer`), nothing could be coarsened (`coarsen`) |\n"
+        "| 4 | a file cannot be read or written |\n"
+        "| 5 | a file was read, but what it holds is not a usable mesh or metric |\n"
+        "| 6 | stopped early; the levels that were finished are kept |\n"
+        "| 7 | not enough memory |\n"
+        "| 8 | the feature was left out of this build |\n"
+        "| 130 | stopped before there was a result |\n";
     manual += "\n## ameco\n\n```\n" + here.ameco({}).out + "```\n";
     for (const QString& command : commands) {
         manual += "\n## ameco " + command + "\n\n```\n" + here.ameco({command, "-h"}).out + "```\n";
