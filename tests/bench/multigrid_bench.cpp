@@ -5,9 +5,10 @@
 ///     multigrid_bench mesh=FILE [levels=5] ...
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
-/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2` makes
-/// cycles of every second level only; `factor` is that of the sizes from level to level. The rules of the coarsening are changed by mean, slack,
-/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
+/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2`
+/// makes cycles of every second level only; `factor` is that of the sizes from level to level. The
+/// rules of the coarsening are changed by mean, slack, dominance, passes, reach, later-reach,
+/// coupling-bound, layer-bound and direction-bound.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
