@@ -151,8 +151,7 @@ void print_cycle(const LevelEquations& equations, const Vector& load, const Cycl
 
 template <int D>
 void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) {
-    for (const CoarseOperator kind :
-         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+    for (const CoarseOperator kind : all_coarse_operators) {
         LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
         for (std::size_t k = 0; k < g.meshes.size(); ++k) {
             equations.matrices.lines.push_back(
