@@ -5,9 +5,10 @@
 ///     multigrid_bench mesh=FILE [levels=5] ...
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
-/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2` makes
-/// cycles of every second level only; `factor` is that of the sizes from level to level. The rules of the coarsening are changed by mean, slack,
-/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
+/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2`
+/// makes cycles of every second level only; `factor` is that of the sizes from level to level. The
+/// rules of the coarsening are changed by mean, slack, dominance, passes, reach, later-reach,
+/// coupling-bound, layer-bound and direction-bound.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -231,6 +232,11 @@ int main(int argc, char** argv) {
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},
+        {"isotropic-below", &coarsening.target.isotropic_below},
+        {"isotropic-coupling", &coarsening.removal.isotropic_coupling},
+        {"isotropic-bound", &coarsening.removal.interpolation.isotropic},
+        {"crowded", &coarsening.removal.crowded},
+        {"deviation", &coarsening.removal.surface.relative_distance},
         {"layer-bound", &coarsening.removal.interpolation.layer},
         {"direction-bound", &coarsening.removal.interpolation.per_direction}};
     for (int i = 1; i < argc; ++i) {
