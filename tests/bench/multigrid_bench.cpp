@@ -231,6 +231,11 @@ int main(int argc, char** argv) {
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},
+        {"isotropic-below", &coarsening.target.isotropic_below},
+        {"isotropic-coupling", &coarsening.removal.isotropic_coupling},
+        {"isotropic-bound", &coarsening.removal.interpolation.isotropic},
+        {"crowded", &coarsening.removal.crowded},
+        {"deviation", &coarsening.removal.surface.relative_distance},
         {"layer-bound", &coarsening.removal.interpolation.layer},
         {"direction-bound", &coarsening.removal.interpolation.per_direction}};
     for (int i = 1; i < argc; ++i) {
