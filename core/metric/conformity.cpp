@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -56,24 +57,42 @@ struct Count {
     }
 };
 
+/// The same for classes.
+struct ClassCount : ConformityClasses {
+    void add_length(double l) {
+        const double k = std::floor(4 * std::log2(l)) + length_classes / 2;
+        ++length[static_cast<std::size_t>(std::clamp(k, 0.0, length_classes - 1.0))];
+    }
+    void add_quality(double q) {
+        const double k = std::floor(q * quality_classes);
+        ++quality[static_cast<std::size_t>(std::clamp(k, 0.0, quality_classes - 1.0))];
+    }
+    void add(const ClassCount& c) {
+        std::transform(quality.begin(), quality.end(), c.quality.begin(), quality.begin(),
+                       std::plus<>());
+        std::transform(length.begin(), length.end(), c.length.begin(), length.begin(),
+                       std::plus<>());
+    }
+};
+
 /// Runs `body(begin, end, count)` on the pieces of [0, n) and joins what they counted.
-template <class Body>
-Count count_pieces(std::size_t n, const Body& body) {
-    std::vector<Count> pieces((n + piece_size - 1) / piece_size);
+template <class Counts, class Body>
+Counts count_pieces(std::size_t n, const Body& body) {
+    std::vector<Counts> pieces((n + piece_size - 1) / piece_size);
     parallel_for(n, piece_size, [&](std::size_t begin, std::size_t end) {
         body(begin, end, pieces[begin / piece_size]);
     });
-    Count all;
-    for (const Count& piece : pieces) {
+    Counts all;
+    for (const Counts& piece : pieces) {
         all.add(piece);
     }
     return all;
 }
 
 /// Length of a vector in a metric: |F e|, the factor made once per node for all its edges.
-template <int D>
+template <int D, class Counts>
 void add_lengths(const Mesh<D>& mesh, const MetricField<D>& field, NodeId i,
-                 std::span<const NodeId> neighbours, Count& count) {
+                 std::span<const NodeId> neighbours, Counts& count) {
     const Mat<D> F = length_factor<D>(field[i]);
     for (const NodeId j : neighbours) {
         if (i < j) {
@@ -109,23 +128,33 @@ double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Sim
     return std::min(q, 1.0); // the regular simplex may come out above by rounding
 }
 
-} // namespace
-
-template <int D>
-Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
+template <int D, class Counts>
+Counts count_lengths(const Mesh<D>& mesh, const MetricField<D>& field) {
     const NodeNodes neighbours = node_neighbours(mesh);
-    const Count lengths =
-        count_pieces(mesh.points.size(), [&](std::size_t begin, std::size_t end, Count& count) {
+    return count_pieces<Counts>(
+        mesh.points.size(), [&](std::size_t begin, std::size_t end, Counts& count) {
             for (std::size_t i = begin; i < end; ++i) {
                 add_lengths(mesh, field, NodeId(i), neighbours[NodeId(i)], count);
             }
         });
-    const Count shapes =
-        count_pieces(mesh.elements.size(), [&](std::size_t begin, std::size_t end, Count& count) {
+}
+
+template <int D, class Counts>
+Counts count_shapes(const Mesh<D>& mesh, const MetricField<D>& field) {
+    return count_pieces<Counts>(
+        mesh.elements.size(), [&](std::size_t begin, std::size_t end, Counts& count) {
             for (std::size_t e = begin; e < end; ++e) {
                 count.add_quality(shape_quality(mesh, field, mesh.elements[ElementId(e)]));
             }
         });
+}
+
+} // namespace
+
+template <int D>
+Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
+    const Count lengths = count_lengths<D, Count>(mesh, field);
+    const Count shapes = count_shapes<D, Count>(mesh, field);
     Conformity result;
     result.edges = lengths.edges;
     if (lengths.edges > 0) {
@@ -141,7 +170,16 @@ Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
     return result;
 }
 
+template <int D>
+ConformityClasses classify_conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
+    ConformityClasses classes = count_lengths<D, ClassCount>(mesh, field);
+    classes.quality = count_shapes<D, ClassCount>(mesh, field).quality;
+    return classes;
+}
+
 template Conformity conformity<2>(const Mesh<2>&, const MetricField<2>&);
 template Conformity conformity<3>(const Mesh<3>&, const MetricField<3>&);
+template ConformityClasses classify_conformity(const Mesh<2>&, const MetricField<2>&);
+template ConformityClasses classify_conformity(const Mesh<3>&, const MetricField<3>&);
 
 } // namespace ameco

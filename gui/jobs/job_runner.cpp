@@ -41,10 +41,11 @@ void JobContext::message(Severity severity, std::string_view text) {
 }
 
 void JobContext::progress(double fraction, std::string_view step) {
-    if (fraction <= last_fraction_ || since_progress_.elapsed() < progress_interval) {
+    const bool first = last_fraction_ < 0;
+    if (!first && (fraction <= last_fraction_ || since_progress_.elapsed() < progress_interval)) {
         return;
     }
-    last_fraction_ = fraction;
+    last_fraction_ = std::max(fraction, 0.0);
     since_progress_.restart();
     post([this, fraction, words = from_view(step)] { emit runner_.progressed(fraction, words); });
 }
@@ -53,8 +54,8 @@ void JobContext::post(std::function<void()> action) {
     // The job's thread is waited for before the runner dies, so the runner is there.
     QMetaObject::invokeMethod(
         &runner_,
-        [self = runner_.current_, this, action = std::move(action)] {
-            if (!closed_) {
+        [self = shared_from_this(), action = std::move(action)] {
+            if (!self->closed_) {
                 action();
             }
         },
@@ -88,7 +89,7 @@ void JobRunner::start(const QString& title, Work work) {
     });
     threads_.push_back(thread);
     emit started(title);
-    thread->start(QThread::LowPriority);
+    thread->start();
 }
 
 int JobRunner::windingDown() const {

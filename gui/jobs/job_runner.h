@@ -28,7 +28,7 @@ enum class JobEnd {
 class JobRunner;
 
 /// What a job sees of the window: a Monitor whose words travel to the GUI thread.
-class JobContext : public Monitor {
+class JobContext : public Monitor, public std::enable_shared_from_this<JobContext> {
 public:
     void message(Severity severity, std::string_view text) override;
     void progress(double fraction, std::string_view step) override;
