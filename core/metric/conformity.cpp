@@ -18,6 +18,33 @@
 #include <Eigen/LU>
 
 namespace ameco {
+
+// Lengths and volume are those of the edges X = S^-1 E, with S the mean of M^-1/2.
+template <int D>
+double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Simplex<D>& s) {
+    Mat<D> mean = Mat<D>::Zero();
+    for (const NodeId i : s) {
+        const Mat<D>& V = field[i].directions;
+        mean += V * field[i].sizes.asDiagonal() * V.transpose();
+    }
+    Mat<D> edges;
+    for (int i = 0; i < D; ++i) {
+        edges.col(i) = mesh.points[s[i + 1]] - mesh.points[s[0]];
+    }
+    mean /= D + 1;
+    const Mat<D> X = mean.llt().solve(edges);
+    double squares = X.squaredNorm();
+    for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < i; ++j) {
+            squares += (X.col(i) - X.col(j)).squaredNorm();
+        }
+    }
+    constexpr double volume_of_unit_edges = (D == 2 ? 2 : 6) * regular_simplex_volume<D>;
+    const double mean_square = squares / (D * (D + 1) / 2);
+    const double q = X.determinant() / (volume_of_unit_edges * std::pow(std::sqrt(mean_square), D));
+    return std::min(q, 1.0); // the regular simplex may come out above by rounding
+}
+
 namespace {
 
 constexpr std::size_t piece_size = 4096;
@@ -102,32 +129,6 @@ void add_lengths(const Mesh<D>& mesh, const MetricField<D>& field, NodeId i,
     }
 }
 
-/// (17) in the mean S of M^-1/2: lengths and volume are those of the edges X = S^-1 E.
-template <int D>
-double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Simplex<D>& s) {
-    Mat<D> mean = Mat<D>::Zero();
-    for (const NodeId i : s) {
-        const Mat<D>& V = field[i].directions;
-        mean += V * field[i].sizes.asDiagonal() * V.transpose();
-    }
-    Mat<D> edges;
-    for (int i = 0; i < D; ++i) {
-        edges.col(i) = mesh.points[s[i + 1]] - mesh.points[s[0]];
-    }
-    mean /= D + 1;
-    const Mat<D> X = mean.llt().solve(edges);
-    double squares = X.squaredNorm();
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i; ++j) {
-            squares += (X.col(i) - X.col(j)).squaredNorm();
-        }
-    }
-    constexpr double volume_of_unit_edges = (D == 2 ? 2 : 6) * regular_simplex_volume<D>;
-    const double mean_square = squares / (D * (D + 1) / 2);
-    const double q = X.determinant() / (volume_of_unit_edges * std::pow(std::sqrt(mean_square), D));
-    return std::min(q, 1.0); // the regular simplex may come out above by rounding
-}
-
 template <int D, class Counts>
 Counts count_lengths(const Mesh<D>& mesh, const MetricField<D>& field) {
     const NodeNodes neighbours = node_neighbours(mesh);
@@ -177,6 +178,8 @@ ConformityClasses classify_conformity(const Mesh<D>& mesh, const MetricField<D>&
     return classes;
 }
 
+template double shape_quality(const Mesh<2>&, const MetricField<2>&, const Simplex<2>&);
+template double shape_quality(const Mesh<3>&, const MetricField<3>&, const Simplex<3>&);
 template Conformity conformity<2>(const Mesh<2>&, const MetricField<2>&);
 template Conformity conformity<3>(const Mesh<3>&, const MetricField<3>&);
 template ConformityClasses classify_conformity(const Mesh<2>&, const MetricField<2>&);

@@ -27,6 +27,11 @@ struct Conformity {
 template <int D>
 [[nodiscard]] Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field);
 
+/// Shape quality (17) of one element in the mean of its nodes' M^-1/2, in [0, 1].
+template <int D>
+[[nodiscard]] double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field,
+                                   const Simplex<D>& element);
+
 /// Elements by quality and edges by length, in classes of equal width, for histograms.
 struct ConformityClasses {
     static constexpr int quality_classes = 20; ///< class k holds qualities in [k, k + 1) / 20

@@ -151,9 +151,8 @@ LoadedCase read_finest(const fs::path& path, const HierarchyOptions& options, Mo
         loaded.levels.push_back(surface_level(std::move(*mesh), monitor));
         return loaded;
     }
-    std::visit(
-        [&](auto& mesh) { add_finest(std::move(mesh), path, options, loaded, monitor); },
-        file.mesh);
+    std::visit([&](auto& mesh) { add_finest(std::move(mesh), path, options, loaded, monitor); },
+               file.mesh);
     return loaded;
 }
 
@@ -174,8 +173,7 @@ CaseLevel read_stored_level(const StoredLevel& stored, const Hierarchy& hierarch
                          " was not made from the level before it");
     }
     return complete_level(std::move(level), &fine, hierarchy.levels[k].statistics,
-                          k < timings.size() ? timings[k] : LevelTiming(), stored.options,
-                          monitor);
+                          k < timings.size() ? timings[k] : LevelTiming(), stored.options, monitor);
 }
 
 CaseLevel read_stored_level(const StoredLevel& stored, int dimension, const CaseLevel& parent,
@@ -223,8 +221,7 @@ HierarchyEnd make_levels(const CaseLevel& from, double max_aspect_ratio,
     auto fine = std::make_shared<const Level<D>>(start);
     const LevelSink<D> each = [&](const Level<D>& level, const LevelStatistics& statistics,
                                   const LevelTiming& timing) {
-        CaseLevel made =
-            complete_level<D>(level, fine.get(), statistics, timing, options, monitor);
+        CaseLevel made = complete_level<D>(level, fine.get(), statistics, timing, options, monitor);
         fine = std::shared_ptr<const Level<D>>(made.level, &std::get<Level<D>>(*made.level));
         sink(std::move(made));
     };
@@ -298,8 +295,7 @@ std::shared_ptr<const SceneData> with_removed_at(const CaseLevel& level,
                                                  std::vector<int> removed_at) {
     return std::holds_alternative<Level<3>>(*level.level)
                ? make_scene<3>(level.level, level.number, std::move(removed_at), Monitor::silent())
-               : make_scene<2>(level.level, level.number, std::move(removed_at),
-                               Monitor::silent());
+               : make_scene<2>(level.level, level.number, std::move(removed_at), Monitor::silent());
 }
 
 std::vector<std::vector<int>> removal_levels(const std::vector<CaseLevel>& branch) {

@@ -32,8 +32,7 @@ struct LoadedCase {
 /// \param stored  parents before children; keys become the levels' ids, 0 is the finest
 /// \throws Error
 [[nodiscard]] LoadedCase read_stored_case(const std::filesystem::path& mesh,
-                                          const std::vector<StoredLevel>& stored,
-                                          Monitor& monitor);
+                                          const std::vector<StoredLevel>& stored, Monitor& monitor);
 
 /// Makes levels from `from`, one by one.
 /// \param max_aspect_ratio  upper edge of the aspect-ratio classes: that of the finest level

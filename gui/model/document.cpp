@@ -3,8 +3,10 @@
 
 #include "core/base/text.h"
 #include "core/hierarchy/settings.h"
+#include "core/io/io.h"
 #include "gui/model/case_work.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -96,8 +98,8 @@ std::optional<NodeId> Document::sameNode(int from, NodeId node, int to) const {
         return std::nullopt;
     }
     std::optional<NodeId> place = node;
-    for (auto next = std::find(target.begin(), target.end(), at) + 1;
-         next != target.end() && place; ++next) {
+    for (auto next = std::find(target.begin(), target.end(), at) + 1; next != target.end() && place;
+         ++next) {
         place = step_down(*(*next)->level, *place);
     }
     return place;
@@ -150,8 +152,8 @@ void Document::open(const QString& path) {
         const std::filesystem::path file = path.toStdString();
         const bool hierarchy =
             std::filesystem::is_directory(file) || file.filename() == "hierarchy.json";
-        const auto loaded = parcel(hierarchy ? read_hierarchy_case(file, job)
-                                             : read_case(file, job));
+        const auto loaded =
+            parcel(hierarchy ? read_hierarchy_case(file, job) : read_case(file, job));
         job.post([this, loaded] { take(std::move(loaded->file), std::move(loaded->levels)); });
     });
 }
@@ -202,8 +204,8 @@ void Document::coarsen(int from, const HierarchyOptions& options) {
                                    max = levels_.front().statistics.classes.max](JobContext& job) {
         // Each level is made from the one before it.
         const auto last = parcel(start.id);
-        const auto sink = [&](CaseLevel level) {
-            const auto made = parcel(std::move(level));
+        const auto sink = [this, &job, last](CaseLevel finished) {
+            const auto made = parcel(std::move(finished));
             job.post([this, made, last] {
                 if (level(*last) == nullptr) {
                     return; // deleted meanwhile
@@ -295,6 +297,22 @@ void Document::exportBranch(int id, const QString& folder) {
         write_branch(file, levels, folder.toStdString(), job);
         job.post([this, folder] { emit exported(folder); });
     });
+}
+
+void Document::exportMesh(int id, const QString& path) {
+    const CaseLevel* const wanted = level(id);
+    if (wanted == nullptr) {
+        return;
+    }
+    jobs_.start(
+        tr("Writing %1").arg(name_of(path)), [this, path, data = wanted->level](JobContext& job) {
+            const auto lost = std::visit(
+                [&](const auto& l) { return write_mesh(path.toStdString(), l.mesh); }, *data);
+            for (const std::string& line : lost) {
+                job.message(Severity::warning, line);
+            }
+            job.post([this, path] { emit exported(path); });
+        });
 }
 
 } // namespace ameco::gui

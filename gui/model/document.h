@@ -62,6 +62,8 @@ public slots:
     void prepareRemovedAt();
     /// Writes the levels of a branch into a folder, as `ameco coarsen` does.
     void exportBranch(int id, const QString& folder);
+    /// Writes a level as a mesh in the format of the suffix.
+    void exportMesh(int id, const QString& path);
 
 signals:
     void opened();

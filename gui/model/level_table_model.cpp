@@ -92,11 +92,10 @@ QVariant LevelTableModel::data(const QModelIndex& index, int role) const {
     }
     switch (role) {
     case Qt::DisplayRole:
-        return index.column() == number
-                   ? QString(2 * row.indent, QChar(0x2003)) + // em spaces
-                         (row.indent > 0 ? QStringLiteral("↳ ") : QString()) +
-                         QString::number(level->number)
-                   : text_of(*level, index.column());
+        return index.column() == number ? QString(2 * row.indent, QChar(0x2003)) + // em spaces
+                                              (row.indent > 0 ? QStringLiteral("↳ ") : QString()) +
+                                              QString::number(level->number)
+                                        : text_of(*level, index.column());
     case Qt::TextAlignmentRole:
         return index.column() == number ? int(Qt::AlignLeft | Qt::AlignVCenter)
                                         : int(Qt::AlignRight | Qt::AlignVCenter);

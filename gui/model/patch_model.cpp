@@ -82,9 +82,8 @@ bool PatchModel::setData(const QModelIndex& index, const QVariant& value, int ro
 
 Qt::ItemFlags PatchModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
-    return index.column() == visible || index.column() == frozen
-               ? usual | Qt::ItemIsUserCheckable
-               : usual;
+    return index.column() == visible || index.column() == frozen ? usual | Qt::ItemIsUserCheckable
+                                                                 : usual;
 }
 
 QVariant PatchModel::headerData(int section, Qt::Orientation orientation, int role) const {

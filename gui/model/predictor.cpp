@@ -65,8 +65,8 @@ void Predictor::start() {
                 const bool own = mean == level.options.coarsen.mean;
                 const MetricField<D>& field =
                     own ? l.natural : std::get<MetricField<D>>(natural->natural);
-                const Prediction result = predict(l.mesh, field, next_target(level, options),
-                                                  options.target_ratio, max);
+                const Prediction result =
+                    predict(l.mesh, field, next_target(level, options), options.target_ratio, max);
                 job.post([this, result, natural] {
                     fields_ = natural;
                     prediction_ = result;

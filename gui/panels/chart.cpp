@@ -21,6 +21,8 @@
 namespace ameco::gui {
 namespace {
 
+const QColor mark_colour(214, 39, 40);
+
 QString number_label(double value) {
     return QString::fromStdString(number_text(value, 3));
 }
@@ -44,7 +46,7 @@ ValueAxis linear_axis(double largest) {
     ValueAxis axis;
     const double raw = std::max(largest, 1e-300) / 4;
     const double power = std::pow(10, std::floor(std::log10(raw)));
-    const double step = raw > 5 * power ? 10 * power
+    const double step = raw > 5 * power   ? 10 * power
                         : raw > 2 * power ? 5 * power
                         : raw > power     ? 2 * power
                                           : power;
@@ -212,6 +214,11 @@ private:
 
     void class_ticks() {
         line(drawing_.plot.bottomLeft(), drawing_.plot.bottomRight(), style_.text);
+        const double width = drawing_.plot.width() / std::max(1, chart_.classCount());
+        for (const int k : chart_.marked) {
+            const double x = drawing_.plot.left() + k * width;
+            rectangle({x + 0.1 * width, drawing_.plot.bottom() - 1, 0.8 * width, 5}, mark_colour);
+        }
         std::vector<QString> labels = chart_.edges;
         if (chart_.kind == Chart::Kind::curves) {
             for (int k = 0; k < chart_.classCount(); ++k) {
@@ -324,9 +331,8 @@ void paint_chart(QPainter& painter, const ChartDrawing& drawing, const ChartStyl
     painter.setFont(style.font);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ChartShape& s : drawing.shapes) {
-        const QPen pen = s.pen.isValid()
-                             ? QPen(s.pen, s.width, Qt::SolidLine, Qt::RoundCap)
-                             : QPen(Qt::NoPen);
+        const QPen pen =
+            s.pen.isValid() ? QPen(s.pen, s.width, Qt::SolidLine, Qt::RoundCap) : QPen(Qt::NoPen);
         painter.setPen(pen);
         if (s.kind == ChartShape::Kind::rectangle) {
             painter.setBrush(s.fill.isValid() ? QBrush(s.fill) : QBrush(Qt::NoBrush));
@@ -346,14 +352,13 @@ void paint_chart(QPainter& painter, const ChartDrawing& drawing, const ChartStyl
 
 QString chart_svg(const ChartDrawing& drawing, const ChartStyle& style) {
     const QString size = QStringLiteral("%1 %2");
-    QString text =
-        QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %1 %2\" "
-                       "font-family=\"sans-serif\" font-size=\"%3\">\n"
-                       "<rect width=\"%1\" height=\"%2\" fill=\"%4\"/>\n")
-            .arg(drawing.size.width())
-            .arg(drawing.size.height())
-            .arg(QFontMetricsF(style.font).height() * 0.8)
-            .arg(svg_colour(style.background));
+    QString text = QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %1 %2\" "
+                                  "font-family=\"sans-serif\" font-size=\"%3\">\n"
+                                  "<rect width=\"%1\" height=\"%2\" fill=\"%4\"/>\n")
+                       .arg(drawing.size.width())
+                       .arg(drawing.size.height())
+                       .arg(QFontMetricsF(style.font).height() * 0.8)
+                       .arg(svg_colour(style.background));
     for (const ChartShape& s : drawing.shapes) {
         text += svg_shape(s);
     }

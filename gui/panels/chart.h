@@ -5,13 +5,13 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QRectF>
 #include <QString>
 
 #include <set>
 #include <vector>
 
-class QFontMetricsF;
 class QPainter;
 
 namespace ameco::gui {
@@ -32,6 +32,7 @@ struct Chart {
     bool percent = false;     ///< bars: each series as shares of its sum
     bool logarithmic = false; ///< values on a logarithmic axis
     std::set<int> selected;   ///< classes with a band behind them
+    std::set<int> marked;     ///< classes with a mark on the axis
     QString empty_text;       ///< said where there is nothing to draw
 
     [[nodiscard]] int classCount() const;
@@ -48,13 +49,13 @@ struct ChartStyle {
 struct ChartShape {
     enum class Kind { rectangle, line, text };
     Kind kind = Kind::rectangle;
-    QRectF box;   ///< a line goes from its top left to its bottom right corner
-    QColor fill;  ///< of rectangles; not valid: none
-    QColor pen;   ///< of outlines, lines, text; not valid: none
+    QRectF box;  ///< a line goes from its top left to its bottom right corner
+    QColor fill; ///< of rectangles; not valid: none
+    QColor pen;  ///< of outlines, lines, text; not valid: none
     double width = 1;
-    QString text; ///< baseline at the box's top left corner
-    int anchor = 0;         ///< text: -1 begins, 0 centred, 1 ends there
-    bool upright = false;   ///< text runs upwards
+    QString text;         ///< baseline at the box's top left corner
+    int anchor = 0;       ///< text: -1 begins, 0 centred, 1 ends there
+    bool upright = false; ///< text runs upwards
 };
 
 /// A chart laid out for a size [pixels].
