@@ -8,17 +8,17 @@ namespace ameco::gui {
 std::string_view name(StandardView view) {
     switch (view) {
     case StandardView::plus_x:
-        return "+x";
+        return "x+";
     case StandardView::minus_x:
-        return "-x";
+        return "x-";
     case StandardView::plus_y:
-        return "+y";
+        return "y+";
     case StandardView::minus_y:
-        return "-y";
+        return "y-";
     case StandardView::plus_z:
-        return "+z";
+        return "z+";
     case StandardView::minus_z:
-        return "-z";
+        return "z-";
     case StandardView::corner:
         return "corner";
     }

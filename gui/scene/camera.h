@@ -24,7 +24,7 @@ inline constexpr std::array all_standard_views{
     StandardView::plus_x, StandardView::minus_x, StandardView::plus_y, StandardView::minus_y,
     StandardView::plus_z, StandardView::minus_z, StandardView::corner};
 
-/// "+x", "-x", ..., "corner".
+/// "x+", "x-", ..., "corner".
 [[nodiscard]] std::string_view name(StandardView view);
 [[nodiscard]] std::optional<StandardView> standard_view_from_name(std::string_view name);
 

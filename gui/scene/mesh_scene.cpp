@@ -67,6 +67,7 @@ public:
     bool surface_old = true;
     bool places_old = true;
     bool transparent = false;
+    std::string caption;
     std::vector<NodeId> highlighted;
     std::optional<NodeId> marked;
 
@@ -204,6 +205,10 @@ void MeshScene::set_data(std::shared_ptr<const SceneData> data) {
 
 const std::shared_ptr<const SceneData>& MeshScene::data() const {
     return impl_->data;
+}
+
+void MeshScene::set_caption(const std::string& caption) {
+    impl_->caption = caption;
 }
 
 void MeshScene::set_options(const SceneOptions& options) {

@@ -46,6 +46,9 @@ public:
     void set_data(std::shared_ptr<const SceneData> data);
     [[nodiscard]] const std::shared_ptr<const SceneData>& data() const;
 
+    /// Text in the upper left corner; empty: the name of the data.
+    void set_caption(const std::string& caption);
+
     void set_options(const SceneOptions& options);
     [[nodiscard]] const SceneOptions& options() const;
 

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/base/monitor.h"
-#include "core/mesh/mesh.h"
-#include "core/metric/metric.h"
+#include "gui/scene/scene_input.h"
 #include "gui/scene/scene_options.h"
 
 #include <array>
@@ -17,18 +16,6 @@
 #include <vector>
 
 namespace ameco::gui {
-
-/// What a view is made from. Pointers into larger things (a Level) are made by shared_ptr's
-/// aliasing constructor; nothing is copied.
-template <int D>
-struct SceneInput {
-    std::shared_ptr<const Mesh<D>> mesh;           ///< valid
-    std::shared_ptr<const MetricField<D>> natural; ///< natural metric at its nodes; null:
-                                                   ///< make_scene_data makes it
-    std::vector<int> removed_at; ///< [n] or empty: level on which the node is missing first, 0 for
-                                 ///< one that is on all levels
-    std::string name;            ///< "level 2", over the picture; may be empty
-};
 
 /// An immutable level. May be made on any thread, and is read by many views at once.
 struct SceneData {
