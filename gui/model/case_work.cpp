@@ -6,9 +6,9 @@
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/format.h"
 #include "core/io/io.h"
+#include "gui/scene/scene_input.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace ameco::gui {
@@ -298,24 +298,13 @@ std::shared_ptr<const SceneData> with_removed_at(const CaseLevel& level,
                : make_scene<2>(level.level, level.number, std::move(removed_at), Monitor::silent());
 }
 
-std::vector<std::vector<int>> removal_levels(const std::vector<CaseLevel>& branch) {
-    std::vector<std::vector<int>> result(branch.size());
-    for (std::size_t k = branch.size(); k-- > 0;) {
-        const auto nodes = static_cast<std::size_t>(branch[k].statistics.nodes);
-        if (k + 1 == branch.size()) {
-            result[k].assign(nodes, 0);
-            continue;
-        }
-        result[k].assign(nodes, branch[k + 1].number);
-        std::visit(
-            [&](const auto& coarse) {
-                for (const NodeId v : coarse.parent.ids()) {
-                    result[k][coarse.parent[v].index()] = result[k + 1][v.index()];
-                }
-            },
-            *branch[k + 1].level);
+std::vector<int> removal_levels_of(const std::vector<CaseLevel>& branch, std::size_t k) {
+    std::vector<const IdVector<NodeId, NodeId>*> parents;
+    for (std::size_t i = k + 1; i < branch.size(); ++i) {
+        std::visit([&](const auto& l) { parents.push_back(&l.parent); }, *branch[i].level);
     }
-    return result;
+    return removal_levels(static_cast<std::size_t>(branch[k].statistics.nodes), branch[k].number,
+                          parents);
 }
 
 void write_branch(const CaseFile& file, const std::vector<CaseLevel>& branch,

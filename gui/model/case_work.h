@@ -45,9 +45,10 @@ HierarchyEnd make_case_levels(const CaseLevel& from, double max_aspect_ratio,
 [[nodiscard]] std::shared_ptr<const SceneData> with_removed_at(const CaseLevel& level,
                                                                std::vector<int> removed_at);
 
-/// For each level of a branch, for each node: the number of the first level without it; 0 for nodes
-/// of the last one.
-[[nodiscard]] std::vector<std::vector<int>> removal_levels(const std::vector<CaseLevel>& branch);
+/// For each node of `branch[k]` the number of the first level of the branch without it; 0 for nodes
+/// that are on all of them.
+[[nodiscard]] std::vector<int> removal_levels_of(const std::vector<CaseLevel>& branch,
+                                                 std::size_t k);
 
 /// Writes a branch into a folder, with the files that `ameco coarsen` writes.
 /// \throws Error

@@ -268,11 +268,10 @@ void Document::prepareRemovedAt() {
         levels.push_back(*l);
     }
     jobs_.start(tr("Finding where nodes disappear"), [this, levels](JobContext& job) {
-        auto removed_at = removal_levels(levels);
         for (std::size_t k = 0; k < levels.size(); ++k) {
             job.progress(static_cast<double>(k) / static_cast<double>(levels.size()),
                          "level " + std::to_string(k));
-            auto scene = with_removed_at(levels[k], std::move(removed_at[k]));
+            auto scene = with_removed_at(levels[k], removal_levels_of(levels, k));
             job.post([this, id = levels[k].id, scene] {
                 for (CaseLevel& l : levels_) {
                     if (l.id == id) {
