@@ -119,6 +119,10 @@ void MainWindow::makeDocks() {
     ratios->raise();
     tabifyDockWidget(log, command);
     log->raise();
+    for (QDockWidget* const dock :
+         {coarsen, view, node, ratios, quality, lengths, convergence, log, command}) {
+        dock->setTitleBarWidget(new QWidget(dock)); // the tab says it already
+    }
     resizeDocks({levels, coarsen}, {330, 330}, Qt::Horizontal);
     resizeDocks({levels, patches}, {300, 260}, Qt::Vertical);
     resizeDocks({ratios, log}, {700, 400}, Qt::Horizontal);

@@ -40,8 +40,16 @@ QString time_text(double seconds) {
                   : QStringLiteral("%1 min %2 s").arg(s / 60).arg(s % 60);
 }
 
+/// Shows no zeros that say nothing.
+class NumberBox : public QDoubleSpinBox {
+public:
+    [[nodiscard]] QString textFromValue(double value) const override {
+        return QLocale::c().toString(value, 'g', 8);
+    }
+};
+
 QDoubleSpinBox* number_box(double low, double high) {
-    auto* const box = new QDoubleSpinBox;
+    auto* const box = new NumberBox;
     box->setDecimals(number_decimals);
     box->setRange(low, high);
     box->setSingleStep(high > 100 ? 0.1 : 1);
@@ -65,7 +73,7 @@ CoarsenPanel::CoarsenPanel(QWidget* parent) : QWidget(parent) {
     prediction_->setMinimumHeight(3 * fontMetrics().height() + 4);
     prediction_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* const form = new QFormLayout;
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     form->setVerticalSpacing(5);
     addFactor(*form);
