@@ -210,7 +210,7 @@ void MainWindow::connectDocument() {
         const LevelStatistics& s = document_.levels().front().statistics;
         tell(Severity::info,
              tr("%1: %2 nodes, %3 %4, %5")
-                 .arg(QString::fromStdString(document_.file().path),
+                 .arg(QFileInfo(QString::fromStdString(document_.file().path)).fileName(),
                       QString::fromStdString(count_text(s.nodes)),
                       QString::fromStdString(count_text(s.elements)),
                       document_.file().dimension == 3 ? tr("tets") : tr("triangles"),

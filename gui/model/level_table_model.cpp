@@ -5,6 +5,8 @@
 #include "gui/model/document.h"
 
 #include <QFont>
+#include <QFontMetrics>
+#include <QSize>
 
 #include <algorithm>
 
@@ -96,6 +98,12 @@ QVariant LevelTableModel::data(const QModelIndex& index, int role) const {
                                               (row.indent > 0 ? QStringLiteral("↳ ") : QString()) +
                                               QString::number(level->number)
                                         : text_of(*level, index.column());
+    case Qt::SizeHintRole: {
+        // A little air between the columns.
+        const QFontMetrics metrics{QFont()};
+        return QSize(metrics.horizontalAdvance(text_of(*level, index.column())) + 22,
+                     metrics.height() + 8);
+    }
     case Qt::TextAlignmentRole:
         return index.column() == number ? int(Qt::AlignLeft | Qt::AlignVCenter)
                                         : int(Qt::AlignRight | Qt::AlignVCenter);
