@@ -33,6 +33,7 @@ template <int D>
 LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                                const std::vector<Transfer>& transfers,
                                const ModelProblem<D>& problem, CoarseOperator kind) {
+    const Stopwatch watch;
     LevelEquations out;
     out.symmetric = problem.velocity.isZero();
     double entries = 0, nodes = 0;
@@ -66,6 +67,7 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
     }
     out.operator_complexity = entries / static_cast<double>(out.matrices.A[0].nonZeros());
     out.grid_complexity = nodes / static_cast<double>(out.unknowns[0].size());
+    out.seconds = watch.seconds();
     return out;
 }
 
