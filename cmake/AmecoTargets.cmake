@@ -18,8 +18,10 @@ endif()
 
 # ameco_add_test(<name> LABELS <label>...): builds <name>.cpp of the current folder as a Qt Test
 # executable; its CTest name is the path under tests/, e.g. core/metric/edge_length_test.
+# WINDOW: it opens windows, on a screen of its own; skipped by name where xvfb-run is missing.
+find_program(AMECO_XVFB_RUN xvfb-run)
 function(ameco_add_test name)
-    cmake_parse_arguments(ARG "" "TIMEOUT" "LABELS;LIBRARIES" ${ARGN})
+    cmake_parse_arguments(ARG "WINDOW" "TIMEOUT" "LABELS;LIBRARIES" ${ARGN})
     file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
     string(REPLACE "/" "_" prefix "${folder}")
     set(target "${prefix}_${name}")
@@ -33,7 +35,18 @@ function(ameco_add_test name)
         AMECO_PROGRAM="$<TARGET_FILE:ameco>")
     target_link_libraries(${target} PRIVATE ameco_core ameco_settings Qt6::Test ${ARG_LIBRARIES})
     add_dependencies(${target} ameco)
-    add_test(NAME ${folder}/${name} COMMAND ${target})
+    if(ARG_WINDOW AND AMECO_XVFB_RUN)
+        add_test(NAME ${folder}/${name} COMMAND "${AMECO_XVFB_RUN}" -a -s "-screen 0 1600x1200x24"
+            $<TARGET_FILE:${target}>)
+        set_property(TEST ${folder}/${name} PROPERTY ENVIRONMENT
+            QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1)
+    elseif(ARG_WINDOW)
+        add_test(NAME ${folder}/${name} COMMAND "${CMAKE_COMMAND}" -E echo
+            "SKIP: xvfb-run is missing (Debian: xvfb xauth)")
+        set_property(TEST ${folder}/${name} PROPERTY SKIP_REGULAR_EXPRESSION "SKIP: xvfb-run")
+    else()
+        add_test(NAME ${folder}/${name} COMMAND ${target})
+    endif()
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()

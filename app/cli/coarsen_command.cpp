@@ -4,7 +4,6 @@
 #include "app/cli/level_transfers.h"
 #include "app/cli/mesh_input.h"
 #include "app/cli/options.h"
-#include "app/cli/suggest.h"
 #include "core/base/parallel.h"
 #include "core/hierarchy/build_hierarchy.h"
 #include "core/hierarchy/content_hash.h"
@@ -24,36 +23,6 @@ namespace ameco::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Ids of the patches that the user named by id or by name.
-/// \throws UsageError when there is no such patch
-template <int D>
-std::vector<int> find_patches(const Mesh<D>& mesh, const std::vector<std::string>& wanted) {
-    const std::set<int> used(mesh.patch.begin(), mesh.patch.end());
-    std::map<std::string, int> by_name;
-    for (const int id : used) {
-        by_name[std::to_string(id)] = id;
-    }
-    for (const auto& [id, patch_name] : mesh.patch_names) {
-        by_name[patch_name] = id;
-    }
-    std::set<int> found;
-    for (const std::string& word : wanted) {
-        const auto entry = by_name.find(word);
-        if (entry == by_name.end()) {
-            std::vector<std::string> names;
-            std::string list;
-            for (const auto& [patch_name, id] : by_name) {
-                names.push_back(patch_name);
-                list += (list.empty() ? "" : ", ") + patch_name;
-            }
-            throw UsageError("--freeze " + word + ": the mesh has no such patch" +
-                             did_you_mean(word, names) + " It has " + list);
-        }
-        found.insert(entry->second);
-    }
-    return {found.begin(), found.end()};
-}
 
 bool is_empty_folder(const fs::path& folder) {
     std::error_code failure;
@@ -132,7 +101,7 @@ public:
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
         return std::visit(
             [&](auto& mesh) {
-                options_.coarsen.features.frozen_patches = find_patches(mesh, freeze_);
+                options_.coarsen.features.frozen_patches = find_patches(mesh, "--freeze", freeze_);
                 return coarsen_mesh(std::move(mesh), input, session);
             },
             input.file.mesh);

@@ -13,8 +13,13 @@ namespace ameco::cli {
 [[nodiscard]] std::unique_ptr<Command> make_coarsen_command();
 [[nodiscard]] std::unique_ptr<Command> make_transfer_command();
 [[nodiscard]] std::unique_ptr<Command> make_multigrid_command();
+[[nodiscard]] std::unique_ptr<Command> make_render_command();
 [[nodiscard]] std::unique_ptr<Command> make_convert_command();
 [[nodiscard]] std::unique_ptr<Command> make_formats_command();
 [[nodiscard]] std::unique_ptr<Command> make_case_command();
+[[nodiscard]] std::unique_ptr<Command> make_window_command();
+
+/// Whether there is a screen to open a window on, as far as the environment tells.
+[[nodiscard]] bool has_display();
 
 } // namespace ameco::cli

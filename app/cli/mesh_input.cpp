@@ -2,9 +2,12 @@
 #include "app/cli/mesh_input.h"
 
 #include "app/cli/report.h"
+#include "app/cli/suggest.h"
 #include "core/io/format.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace ameco::cli {
 
@@ -41,27 +44,6 @@ ReadyMesh load_valid_mesh(const fs::path& path, double ridge_angle_deg, Session&
     return ready;
 }
 
-std::vector<std::string> repair_remarks(const BoundaryRepair& repair) {
-    std::vector<std::string> remarks;
-    if (repair.elements_turned) {
-        remarks.emplace_back("all elements had negative orientation and were turned");
-    }
-    if (repair.faces_turned > 0) {
-        remarks.push_back(plural(repair.faces_turned, "boundary face") + " pointed inwards and " +
-                          (repair.faces_turned == 1 ? "was" : "were") + " turned");
-    }
-    if (repair.faces_added > 0) {
-        remarks.push_back(plural(repair.faces_added, "boundary face") + " missing in the file " +
-                          (repair.faces_added == 1 ? "was" : "were") + " added, as patch " +
-                          std::to_string(repair.first_new_patch) + " and up");
-    }
-    if (repair.orphans_removed > 0) {
-        remarks.push_back(plural(repair.orphans_removed, "node") + " that no element uses " +
-                          (repair.orphans_removed == 1 ? "was" : "were") + " left out");
-    }
-    return remarks;
-}
-
 std::string element_word(int dimension) {
     return dimension == 3 ? "tets" : "triangles";
 }
@@ -69,6 +51,40 @@ std::string element_word(int dimension) {
 bool is_metric_name(const fs::path& path) {
     return format_of_suffix(path, true) != nullptr && format_of_suffix(path, false) == nullptr;
 }
+
+template <int D>
+std::vector<int> find_patches(const Mesh<D>& mesh, const std::string& option,
+                              const std::vector<std::string>& wanted) {
+    const std::set<int> used(mesh.patch.begin(), mesh.patch.end());
+    std::map<std::string, int> by_name;
+    for (const int id : used) {
+        by_name[std::to_string(id)] = id;
+    }
+    for (const auto& [id, patch_name] : mesh.patch_names) {
+        by_name[patch_name] = id;
+    }
+    std::set<int> found;
+    for (const std::string& word : wanted) {
+        const auto entry = by_name.find(word);
+        if (entry == by_name.end()) {
+            std::vector<std::string> names;
+            std::string list;
+            for (const auto& [patch_name, id] : by_name) {
+                names.push_back(patch_name);
+                list += (list.empty() ? "" : ", ") + patch_name;
+            }
+            throw UsageError(option + " " + word + ": the mesh has no such patch" +
+                             did_you_mean(word, names) + " It has " + list);
+        }
+        found.insert(entry->second);
+    }
+    return {found.begin(), found.end()};
+}
+
+template std::vector<int> find_patches(const Mesh<2>&, const std::string&,
+                                       const std::vector<std::string>&);
+template std::vector<int> find_patches(const Mesh<3>&, const std::string&,
+                                       const std::vector<std::string>&);
 
 void refuse_overwriting(const fs::path& input, const fs::path& output) {
     std::error_code ignored;

@@ -34,14 +34,18 @@ struct ReadyMesh {
 [[nodiscard]] ReadyMesh load_valid_mesh(const std::filesystem::path& path, double ridge_angle_deg,
                                         Session& session);
 
-/// What was mended, one line each.
-[[nodiscard]] std::vector<std::string> repair_remarks(const BoundaryRepair& repair);
-
 /// "Tets" and "triangles": elements of D dimensions.
 [[nodiscard]] std::string element_word(int dimension);
 
 /// Whether a file of this name holds a metric and no mesh (.sol, .solb, .metrique; also packed).
 [[nodiscard]] bool is_metric_name(const std::filesystem::path& path);
+
+/// Ids of the patches given by id or name, ascending.
+/// \param option  that named them, for the message
+/// \throws UsageError when the mesh has no such patch
+template <int D>
+[[nodiscard]] std::vector<int> find_patches(const Mesh<D>& mesh, const std::string& option,
+                                            const std::vector<std::string>& wanted);
 
 /// \throws UsageError when `output` is the same file as `input`
 void refuse_overwriting(const std::filesystem::path& input, const std::filesystem::path& output);

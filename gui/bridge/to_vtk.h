@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Core's arrays as VTK's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+
+class vtkCellArray;
+class vtkFloatArray;
+class vtkPoints;
+class vtkUnsignedCharArray;
+
+namespace ameco::gui {
+
+using Float3 = std::array<float, 3>;
+using Rgb = std::array<unsigned char, 3>;
+
+[[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Float3>& triples);
+[[nodiscard]] vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Float3>& triples);
+[[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<float>& values);
+[[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgb>& colours);
+
+/// Triangles and quadrilaterals (the fourth index of a triangle is -1).
+[[nodiscard]] vtkSmartPointer<vtkCellArray>
+to_vtk(std::span<const std::array<std::int32_t, 4>> polygons);
+[[nodiscard]] vtkSmartPointer<vtkCellArray>
+to_vtk(std::span<const std::array<std::int32_t, 2>> lines);
+/// One vertex per point.
+[[nodiscard]] vtkSmartPointer<vtkCellArray> vertices(std::size_t points);
+
+} // namespace ameco::gui
