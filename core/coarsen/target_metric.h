@@ -32,6 +32,8 @@ struct TargetOptions {
     double slack = 1.0;  ///< how far a size may pass the one before it [-], >= 1; the paper has 1
     TargetAlgorithm algorithm = TargetAlgorithm::basic;
     double gradation = 1.5; ///< `graded`: most growth of coarsened sizes per fine edge [-], > 1
+
+    friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
 };
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.
