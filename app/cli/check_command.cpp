@@ -3,6 +3,7 @@
 #include "app/cli/mesh_input.h"
 #include "app/cli/options.h"
 #include "app/cli/report.h"
+#include "core/coarsen/coarsen.h"
 #include "core/hierarchy/statistics_json.h"
 #include "core/mesh/check_surface.h"
 
@@ -138,7 +139,7 @@ private:
             return v;
         }
         session.monitor.progress(0.5, "measuring");
-        v.natural = conformity(mesh, nodal_metric(mesh));
+        v.natural = conformity(mesh, nodal_metric(mesh, CoarsenOptions{}.mean));
         if (!metric_.empty()) {
             v.given = conformity(mesh, given_metric(mesh));
         }

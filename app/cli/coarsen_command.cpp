@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/level_table.h"
+#include "app/cli/level_transfers.h"
 #include "app/cli/mesh_input.h"
 #include "app/cli/options.h"
 #include "core/base/parallel.h"
@@ -44,8 +45,8 @@ public:
              {"coarsen wing.meshb -o levels --target-ratio 2 --until-isotropic",
               "half the nodes each time, until nothing is stretched any more"},
              {"coarsen wing.meshb -o levels --freeze wing tip", "leave two patches as they are"},
-             {"coarsen wing.meshb -o levels --slack 1 --surface-deviation 0.01",
-              "the paper's sizes, and stay closer to the surface"}},
+             {"coarsen wing.meshb -o levels --isotropic-below 1 --mean corrected",
+              "sizes as the paper has them"}},
             "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0 "
             "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and "
             "timing.json. Ctrl-C keeps the levels that are finished.\n"
@@ -79,6 +80,9 @@ public:
         app.add_flag(
             "--pictures", pictures_,
             "add histogram.svg (aspect ratios) and layers.svg (the layers, level by level)");
+        app.add_flag("--transfer", transfer_,
+                     "add the transfer of each level to the next finer one: P_k.mtx and P_k.petsc "
+                     "(from level k + 1 to k), parent_k.txt (injection), projected_k.txt");
         app.add_flag("--resume", resume_,
                      "keep the levels in the folder that were made from the same mesh with the "
                      "same settings, and go on from there");
@@ -212,6 +216,11 @@ private:
         }
         const int kept = intact_levels(folder, old);
         old.levels.resize(static_cast<std::size_t>(kept));
+        for (HierarchyLevel& level : old.levels) {
+            if (level.transfer && !is_intact(folder, *level.transfer)) {
+                level.transfer.reset();
+            }
+        }
         old.options.levels = std::max(options_.levels, kept - 1);
         old.program = fresh.program;
         if (kept < 2) {
@@ -229,9 +238,16 @@ private:
             table.emplace(session.out, D);
             show_kept_levels(folder, *table);
         }
+        std::optional<LevelTransfers<D>> transfers;
+        if (transfer_) {
+            transfers.emplace(folder, session.monitor);
+        }
         const LevelSink<D> sink = [&](const Level<D>& level, const LevelStatistics& statistics,
                                       const LevelTiming& timing) {
             folder.add_level(level, statistics, timing);
+            if (transfers) {
+                transfers->add(level, statistics.level);
+            }
             session.monitor.clear_line();
             if (table) {
                 table->add(statistics, folder.timings().back().total());
@@ -337,11 +353,12 @@ private:
     HierarchyOptions options_;
     std::vector<double> factors_;
     CLI::Option* levels_ = nullptr;
-    std::string mean_ = std::string(name(Mean::corrected));
+    std::string mean_ = std::string(name(CoarsenOptions{}.mean));
     std::string format_ = "meshb";
     std::vector<std::string> freeze_;
     bool copy_input_ = false;
     bool pictures_ = false;
+    bool transfer_ = false;
     bool resume_ = false;
     bool force_ = false;
 };

@@ -37,6 +37,7 @@ struct Session {
     TerminalMonitor& monitor; ///< progress, messages, Ctrl-C: all on stderr
     bool json = false;        ///< results as JSON
     int verbosity = 0;        ///< -1 quiet, 0, 1 verbose
+    int threads = 0;          ///< as asked for; 0: all of the machine's
 };
 
 class Command {

@@ -15,6 +15,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
     commands.push_back(make_convert_command());
     commands.push_back(make_formats_command());
     commands.push_back(make_case_command());
+    commands.push_back(make_window_command());
     return commands;
 }
 

@@ -17,5 +17,9 @@ namespace ameco::cli {
 [[nodiscard]] std::unique_ptr<Command> make_convert_command();
 [[nodiscard]] std::unique_ptr<Command> make_formats_command();
 [[nodiscard]] std::unique_ptr<Command> make_case_command();
+[[nodiscard]] std::unique_ptr<Command> make_window_command();
+
+/// Whether there is a screen to open a window on, as far as the environment tells.
+[[nodiscard]] bool has_display();
 
 } // namespace ameco::cli

@@ -5,6 +5,7 @@
 #include "app/cli/report.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/statistics_json.h"
+#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/format.h"
 #include "core/io/mapbc.h"
@@ -105,11 +106,7 @@ private:
         const Format& format = format_to_write(out, {.format = format_}, false);
         const std::string suffix(format.suffixes.front());
         const Hierarchy hierarchy = read_hierarchy(input_);
-        std::error_code error;
-        fs::create_directories(out, error);
-        if (error) {
-            throw FileError(output_ + ": the folder cannot be made: " + error.message());
-        }
+        create_folder(out);
         Json list = Json::array();
         std::vector<std::string> names;
         for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {

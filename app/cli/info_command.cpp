@@ -4,6 +4,7 @@
 #include "app/cli/mesh_input.h"
 #include "app/cli/options.h"
 #include "app/cli/report.h"
+#include "core/coarsen/coarsen.h"
 #include "core/hierarchy/statistics_json.h"
 
 #include <CLI/CLI.hpp>
@@ -112,7 +113,8 @@ MeshInfo inspect_mesh(const std::string& path, Session& session) {
             info.check = check(mesh);
             if (info.check.valid()) {
                 MonitorPart part(session.monitor, 0.4, 1);
-                info.aspect_ratios = aspect_ratios_of(nodal_metric(mesh, Mean::corrected, part));
+                info.aspect_ratios =
+                    aspect_ratios_of(nodal_metric(mesh, CoarsenOptions{}.mean, part));
             }
         },
         file.mesh);

@@ -44,27 +44,6 @@ ReadyMesh load_valid_mesh(const fs::path& path, double ridge_angle_deg, Session&
     return ready;
 }
 
-std::vector<std::string> repair_remarks(const BoundaryRepair& repair) {
-    std::vector<std::string> remarks;
-    if (repair.elements_turned) {
-        remarks.emplace_back("all elements had negative orientation and were turned");
-    }
-    if (repair.faces_turned > 0) {
-        remarks.push_back(plural(repair.faces_turned, "boundary face") + " pointed inwards and " +
-                          (repair.faces_turned == 1 ? "was" : "were") + " turned");
-    }
-    if (repair.faces_added > 0) {
-        remarks.push_back(plural(repair.faces_added, "boundary face") + " missing in the file " +
-                          (repair.faces_added == 1 ? "was" : "were") + " added, as patch " +
-                          std::to_string(repair.first_new_patch) + " and up");
-    }
-    if (repair.orphans_removed > 0) {
-        remarks.push_back(plural(repair.orphans_removed, "node") + " that no element uses " +
-                          (repair.orphans_removed == 1 ? "was" : "were") + " left out");
-    }
-    return remarks;
-}
-
 std::string element_word(int dimension) {
     return dimension == 3 ? "tets" : "triangles";
 }

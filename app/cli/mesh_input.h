@@ -34,9 +34,6 @@ struct ReadyMesh {
 [[nodiscard]] ReadyMesh load_valid_mesh(const std::filesystem::path& path, double ridge_angle_deg,
                                         Session& session);
 
-/// What was mended, one line each.
-[[nodiscard]] std::vector<std::string> repair_remarks(const BoundaryRepair& repair);
-
 /// "Tets" and "triangles": elements of D dimensions.
 [[nodiscard]] std::string element_word(int dimension);
 

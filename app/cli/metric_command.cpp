@@ -288,7 +288,7 @@ private:
 
     std::string mesh_;
     std::string output_;
-    std::string mean_ = std::string(name(Mean::corrected));
+    std::string mean_ = std::string(name(CoarsenOptions{}.mean));
     TargetOptions target_;
     int node_ = 0;
     CLI::Option* coarsen_ = nullptr;

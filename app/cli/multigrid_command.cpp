@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/mesh_input.h"
+#include "app/cli/multigrid_pairs.h"
 #include "app/cli/options.h"
 #include "app/cli/report.h"
 #include "core/hierarchy/hierarchy_folder.h"
@@ -11,95 +12,14 @@
 #include "core/multigrid/study.h"
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Cholesky>
+
+#include <algorithm>
 
 namespace ameco::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Everything measured on one hierarchy; what is printed is the JSON's content.
-template <int D>
-class Study {
-public:
-    Study(const Hierarchy& hierarchy, const fs::path& folder, Session& session)
-        : session_(session) {
-        for (int k = 0; k < static_cast<int>(hierarchy.levels.size()); ++k) {
-            meshes.push_back(read_level_mesh<D>(folder, hierarchy, k));
-        }
-        for (std::size_t k = 0; k + 1 < meshes.size(); ++k) {
-            session_.monitor.progress(0.2 * static_cast<double>(k) /
-                                          static_cast<double>(meshes.size()),
-                                      "locating nodes");
-            transfers.push_back(make_transfer(meshes[k], meshes[k + 1]));
-            structures.push_back(level_structure(meshes[k]));
-        }
-        structures.push_back(level_structure(meshes.back()));
-    }
-
-    /// Two-grid factors and invariants of the levels k and k + 1.
-    [[nodiscard]] Json pair(const LevelEquations& equations, std::size_t k) const {
-        const Solver coarse = exact_solver(equations, k + 1);
-        CycleOptions options;
-        const double gauss_seidel = two_grid(equations, k, options, coarse).value;
-        options.smoother.kind = SmootherKind::jacobi;
-        const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
-        Json json = {{"fine_level", k},
-                     {"two_grid_jacobi", jacobi.value},
-                     {"two_grid_gauss_seidel", gauss_seidel},
-                     {"invariants", invariants(equations, k)}};
-        if (jacobi.slowest.size() > 0) {
-            json["slowest_error"] = slowest(equations, k, jacobi.slowest);
-        }
-        return json;
-    }
-
-    std::vector<Mesh<D>> meshes;
-    std::vector<Transfer> transfers;
-    std::vector<LevelStructure> structures;
-
-private:
-    [[nodiscard]] static Json place(const WorstPlace<D>& worst) {
-        return {{"worst", worst.value},
-                {"node", worst.node.value()},
-                {"point", std::vector<double>(worst.point.begin(), worst.point.end())}};
-    }
-
-    [[nodiscard]] Json invariants(const LevelEquations& equations, std::size_t k) const {
-        const auto& unknowns = equations.unknowns[k + 1];
-        Vector ratios(static_cast<Eigen::Index>(unknowns.size()));
-        for (std::size_t i = 0; i < unknowns.size(); ++i) {
-            ratios[static_cast<Eigen::Index>(i)] = equations.ratios[k][unknowns[i]];
-        }
-        const auto v = pair_invariants(meshes[k], structures[k], meshes[k + 1], structures[k + 1],
-                                       transfers[k], ratios, unknowns);
-        return {{"line_nodes", v.line_nodes},
-                {"gaps", v.gaps},
-                {"longest_gap", place(v.longest_gap)},
-                {"three_kept_in_a_row", v.stuck},
-                {"lineless_elements", v.lineless_elements},
-                {"lineless_share", v.lineless_share},
-                {"removed_coupling", place(v.ff)},
-                {"galerkin_ratio", place(v.galerkin_ratio)},
-                {"galerkin_ratios_above_2", v.galerkin_exceeded}};
-    }
-
-    [[nodiscard]] Json slowest(const LevelEquations& equations, std::size_t k,
-                               const Vector& error) const {
-        const ErrorMode<D> mode = examine_error(meshes[k], structures[k], transfers[k], error,
-                                                Vector(equations.matrices.A[k].diagonal()),
-                                                equations.unknowns[k], equations.ratios[k]);
-        Json worst = Json::array();
-        for (const SlowNode<D>& n : mode.worst) {
-            worst.push_back({{"node", n.node.value()},
-                             {"point", std::vector<double>(n.point.begin(), n.point.end())},
-                             {"share", n.share},
-                             {"findings", n.findings}});
-        }
-        return {{"nodes_with_90_percent", mode.carriers}, {"worst_nodes", worst}};
-    }
-
-    Session& session_;
-};
 
 class MultigridCommand : public Command {
 public:
@@ -122,16 +42,22 @@ public:
         app.add_option("DIR", folder_, "folder of the hierarchy")->required();
         app.add_option("--dirichlet", dirichlet_, "patches with Dirichlet conditions [all]")
             ->type_name("PATCH");
+        app.add_option("--diffusion", diffusion_,
+                       "diffusion along x, y (and z), or the tensor xx xy xz yy yz zz (xx xy yy); "
+                       "[1 in every direction]")
+            ->type_name("K");
         app.add_option("--velocity", velocity_, "velocity of convection, per unit of diffusion")
             ->type_name("X");
         app.add_option("--smoother", smoother_,
                        "jacobi, gauss-seidel, chebyshev or line [gauss-seidel]")
             ->type_name("NAME")
             ->check(one_of({"jacobi", "gauss-seidel", "chebyshev", "line"}));
-        app.add_option("--operator", operator_,
-                       "coarse matrices: rediscretised, stiffened or galerkin [rediscretised]")
+        app.add_option(
+               "--operator", operator_,
+               "coarse matrices: rediscretised, stiffened, local-galerkin (Galerkin's where the "
+               "rediscretised ones are too soft) or galerkin [rediscretised]")
             ->type_name("NAME")
-            ->check(one_of({"rediscretised", "stiffened", "galerkin"}));
+            ->check(one_of({"rediscretised", "stiffened", "local-galerkin", "galerkin"}));
         app.add_option("--steps", steps_, "smoothing steps before, and after [1]")
             ->type_name("N")
             ->check(whole_number(1, 20));
@@ -140,6 +66,10 @@ public:
             ->type_name("FILE");
         app.add_option("--matrices", matrices_,
                        "folder for P_k.mtx, and A_k.petsc, P_k.petsc and b.petsc of the unknowns")
+            ->type_name("DIR");
+        app.add_option("--modes", modes_,
+                       "folder for mode_k.vtu: the slowest error of the levels k and k + 1, at the "
+                       "nodes of level k")
             ->type_name("DIR");
     }
 
@@ -150,6 +80,11 @@ public:
         const Hierarchy hierarchy = read_hierarchy(folder_);
         if (hierarchy.levels.size() < 2) {
             throw InputError(folder_ + ": has no coarse level: make some with ameco coarsen");
+        }
+        for (const std::string& folder : {matrices_, modes_}) {
+            if (!folder.empty()) {
+                create_folder(folder);
+            }
         }
         const Json result =
             hierarchy.dimension == 3 ? study<3>(hierarchy, session) : study<2>(hierarchy, session);
@@ -167,6 +102,9 @@ private:
     [[nodiscard]] ModelProblem<D> problem() const {
         ModelProblem<D> p;
         p.dirichlet_patches = dirichlet_;
+        if (!diffusion_.empty()) {
+            p.diffusion = diffusion_tensor<D>();
+        }
         if (!velocity_.empty()) {
             if (velocity_.size() != D) {
                 throw UsageError("--velocity: this hierarchy needs " + std::to_string(D) +
@@ -177,6 +115,26 @@ private:
             }
         }
         return p;
+    }
+
+    template <int D>
+    [[nodiscard]] Mat<D> diffusion_tensor() const {
+        const std::size_t given = diffusion_.size();
+        if (given != D && given != D * (D + 1) / 2) {
+            throw UsageError("--diffusion: this hierarchy needs " + std::to_string(D) +
+                             " numbers, or " + std::to_string(D * (D + 1) / 2));
+        }
+        Mat<D> K = Mat<D>::Zero();
+        std::size_t next = 0;
+        for (int i = 0; i < D; ++i) {
+            for (int j = i; j < (given == D ? i + 1 : D); ++j) {
+                K(i, j) = K(j, i) = diffusion_[next++];
+            }
+        }
+        if (!K.allFinite() || Eigen::LLT<Mat<D>>(K).info() != Eigen::Success) {
+            throw UsageError("--diffusion: the tensor must be positive definite");
+        }
+        return K;
     }
 
     [[nodiscard]] CycleOptions cycle() const {
@@ -193,14 +151,13 @@ private:
     }
 
     [[nodiscard]] CoarseOperator coarse_operator() const {
-        return operator_ == "galerkin"    ? CoarseOperator::galerkin
-               : operator_ == "stiffened" ? CoarseOperator::stiffened
-                                          : CoarseOperator::rediscretised;
+        return *std::find_if(all_coarse_operators.begin(), all_coarse_operators.end(),
+                             [&](CoarseOperator kind) { return name(kind) == operator_; });
     }
 
     template <int D>
     Json study(const Hierarchy& hierarchy, Session& session) const {
-        const Study<D> grids(hierarchy, folder_, session);
+        const StudyGrids<D> grids = read_study_grids<D>(hierarchy, folder_, session.monitor);
         LevelEquations equations =
             level_equations(grids.meshes, grids.transfers, problem<D>(), coarse_operator());
         for (std::size_t k = 0; k < grids.meshes.size(); ++k) {
@@ -215,7 +172,7 @@ private:
             session.monitor.progress(0.3 + 0.5 * static_cast<double>(k) /
                                                static_cast<double>(grids.meshes.size()),
                                      "two-grid cycles");
-            pairs.push_back(grids.pair(equations, k));
+            pairs.push_back(pair_json(grids, equations, k, modes_));
         }
         const Vector load = restricted(unit_load(grids.meshes[0]), equations.unknowns[0]);
         const CycleStudy whole = study_cycle(equations, cycle(), load);
@@ -235,6 +192,7 @@ private:
                 {"operator_complexity", equations.operator_complexity},
                 {"grid_complexity", equations.grid_complexity},
                 {"work_per_cycle", whole.work_per_cycle},
+                {"assembly_seconds", equations.seconds},
                 {"setup_seconds", whole.setup_seconds},
                 {"solve_seconds", whole.solve_seconds}};
     }
@@ -242,17 +200,12 @@ private:
     void write_files(const LevelEquations& equations, const std::vector<Transfer>& transfers,
                      const Vector& load, const CycleStudy& whole) const {
         if (!plot_.empty()) {
-            const std::string svg =
-                convergence_plot({{folder_ + ", " + smoother_, whole.krylov.residuals}});
-            AtomicFile file(plot_);
-            file.write(svg.data(), svg.size());
-            file.commit();
+            write_whole_file(
+                plot_, convergence_plot({{folder_ + ", " + smoother_, whole.krylov.residuals}}));
         }
         if (matrices_.empty()) {
             return;
         }
-        std::error_code failure;
-        fs::create_directories(matrices_, failure);
         const fs::path folder(matrices_);
         for (std::size_t k = 0; k < equations.matrices.A.size(); ++k) {
             const std::string suffix = "_" + std::to_string(k);
@@ -312,19 +265,22 @@ private:
                                 (r["converged"].get<bool>() ? "" : " (NOT CONVERGED)")},
              {"operator complexity", number_text(r["operator_complexity"], 3)},
              {"grid complexity", number_text(r["grid_complexity"], 3)},
-             {"set-up, solve", number_text(r["setup_seconds"], 3) + " s, " +
-                                   number_text(r["solve_seconds"], 3) + " s"}});
+             {"work of a cycle",
+              number_text(r["work_per_cycle"], 3) + " products with the finest matrix"},
+             {"assembly, set-up, solve", number_text(r["assembly_seconds"], 3) + " s, " +
+                                             number_text(r["setup_seconds"], 3) + " s, " +
+                                             number_text(r["solve_seconds"], 3) + " s"}});
     }
 
     std::string folder_;
     std::vector<int> dirichlet_;
-    std::vector<double> velocity_;
+    std::vector<double> diffusion_, velocity_;
     std::string smoother_ = "gauss-seidel";
     std::string operator_ = "rediscretised";
     int steps_ = 1;
     bool w_cycle_ = false;
     std::string plot_;
-    std::string matrices_;
+    std::string matrices_, modes_;
 };
 
 } // namespace

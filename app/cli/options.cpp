@@ -97,9 +97,16 @@ Mean chosen_mean(const std::string& text) {
 
 void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group) {
     app.add_option("--slack", target.slack,
-                   "how far a size may pass the next smaller one, at least 1 (the paper has 1; "
-                   "more coarsens nearly isotropic regions fully)")
+                   "how far a size may pass the next smaller one, at least 1 (the paper has 1)")
         ->type_name("S")
+        ->check(number_within(1, HUGE_VAL))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option(
+           "--isotropic-below", target.isotropic_below,
+           "regions with a lower aspect ratio are coarsened alike in all directions, the "
+           "more the rounder they are; at least 1, which leaves that out, as the paper does")
+        ->type_name("R")
         ->check(number_within(1, HUGE_VAL))
         ->capture_default_str()
         ->group(group);

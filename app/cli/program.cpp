@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/program.h"
 
-#include "app/cli/command.h"
+#include "app/cli/commands.h"
 #include "app/cli/help.h"
 #include "app/cli/options.h"
 #include "app/cli/suggest.h"
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -176,7 +177,7 @@ public:
     }
 
     ExitCode run(int argc, const char* const* argv, TerminalMonitor& monitor) {
-        if (!parse(argc, argv)) {
+        if (!parse(with_window(argc, argv))) {
             return ExitCode::ok;
         }
         monitor.configure(monitor_settings(common_));
@@ -186,7 +187,8 @@ public:
             std::cout << app_.help();
             return ExitCode::ok;
         }
-        Session session{std::cout, monitor, common_.json, monitor.settings().verbosity};
+        Session session{std::cout, monitor, common_.json, monitor.settings().verbosity,
+                        common_.threads};
         const ExitCode code = by_app_.at(chosen.front())->run(session);
         std::cout.flush();
         if (!std::cout) {
@@ -196,10 +198,32 @@ public:
     }
 
 private:
+    /// The words after the program's name. On a screen a file as the first one opens it in the
+    /// window, and so does nothing at all when somebody sits there; scripts get the help.
+    [[nodiscard]] std::vector<std::string> with_window(int argc, const char* const* argv) const {
+        std::vector<std::string> words(argv + 1, argv + argc);
+        if (!has_display()) {
+            return words;
+        }
+        const std::vector<std::string> commands = command_names(app_);
+        const auto is_command = [&](const std::string& word) {
+            return std::find(commands.begin(), commands.end(), word) != commands.end();
+        };
+        std::error_code ignored;
+        const bool opens_file = !words.empty() && !words.front().starts_with('-') &&
+                                !is_command(words.front()) &&
+                                std::filesystem::exists(words.front(), ignored);
+        if (opens_file || (words.empty() && is_terminal(STDOUT_FILENO))) {
+            words.insert(words.begin(), "window");
+        }
+        return words;
+    }
+
     /// \return false when help or the version was asked for and printed
-    bool parse(int argc, const char* const* argv) {
+    bool parse(std::vector<std::string> words) {
+        std::reverse(words.begin(), words.end()); // as the parser wants them
         try {
-            app_.parse(argc, argv);
+            app_.parse(std::move(words));
             return true;
         } catch (const CLI::CallForHelp&) {
             const CLI::App& chosen = parsed_app(app_);

@@ -3,6 +3,7 @@
 /// Results for people: tables, numbers and bars as text. (For programs: statistics_json.h.)
 #pragma once
 
+#include "core/base/text.h"
 #include "core/metric/aspect_ratio.h"
 
 #include <cstdint>
@@ -11,19 +12,6 @@
 #include <vector>
 
 namespace ameco::cli {
-
-/// 67866 -> "67,866".
-[[nodiscard]] std::string count_text(std::int64_t count);
-/// Four significant digits, without an exponent from 0.001 to 10 million: "2.192", "532,700".
-[[nodiscard]] std::string number_text(double value, int digits = 4);
-/// 0.1234 -> "12.3 %".
-[[nodiscard]] std::string percent_text(double share);
-/// A ratio with two decimals: "2.19".
-[[nodiscard]] std::string ratio_text(double ratio);
-/// "1.3 GB" (powers of ten).
-[[nodiscard]] std::string bytes_text(double bytes);
-/// "1 node", "2 nodes".
-[[nodiscard]] std::string plural(std::int64_t count, const std::string& one);
 
 /// Columns of text, aligned. The first row is the heading. Widths may be given, for a table that is
 /// printed row by row while its rows are made.

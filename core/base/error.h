@@ -57,6 +57,12 @@ public:
     explicit NotConverged(const std::string& text) : Error(ExitCode::check_failed, text) {}
 };
 
+/// What was made is not what it must be, and is therefore not delivered.
+class CheckFailed : public Error {
+public:
+    explicit CheckFailed(const std::string& text) : Error(ExitCode::check_failed, text) {}
+};
+
 /// The user asked to stop.
 class Cancelled : public Error {
 public:

@@ -35,7 +35,7 @@ struct LevelData {
     Lines lines;
     IdVector<NodeId, Mat<D>> natural, target;
     IdVector<NodeId, float> short_size;
-    IdVector<NodeId, float> bounds; ///< of the interpolation constant
+    IdVector<NodeId, float> directions; ///< in how many the target coarsens
     SizeField<D> sizes;
     RootField<D> root;
 };
@@ -70,9 +70,10 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     set_size_qualities(mesh, data.sizes);
-    RemovedNodes<D> removed(data.couplings, std::move(data.bounds));
-    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes, data.natural,
-                                data.target,      data.short_size, removed};
+    RemovedNodes<D> removed(
+        data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
+    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes,      data.natural,
+                                data.target,      data.short_size, data.directions, removed};
     const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
@@ -127,33 +128,27 @@ MetricField<D> restricted(const MetricField<D>& field, const IdVector<NodeId, No
     return out;
 }
 
-} // namespace
-
+/// Its number of nodes times the quotient of what the metrics ask for.
 template <int D>
-Level<D> finest_level(Mesh<D> mesh, const CoarsenOptions& options, Monitor& monitor) {
-    Level<D> level;
-    level.geometry = classify_geometry(mesh, options.features);
-    level.natural = nodal_metric(mesh, options.mean, monitor);
-    level.mesh = std::move(mesh);
-    return level;
+double predicted_nodes(const Level<D>& fine, const MetricField<D>& target) {
+    return static_cast<double>(fine.mesh.points.size()) * expected_nodes(fine.mesh, target) /
+           expected_nodes(fine.mesh, fine.natural);
 }
 
+/// One step: lines across layers lose at most every other node.
 template <int D>
-Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenReport& report,
-                 Monitor& monitor) {
+Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
+                      const MetricField<D>& target, CoarsenReport& report, Monitor& monitor) {
     report = {};
     Stopwatch watch;
-    const MetricField<D> target = target_metric(fine.mesh, fine.natural, options.target);
     report.factor = options.target.factor;
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
-    report.predicted_nodes = static_cast<double>(report.nodes_before) *
-                             expected_nodes(fine.mesh, target) /
-                             expected_nodes(fine.mesh, fine.natural);
+    report.predicted_nodes = predicted_nodes(fine, target);
     report.conformity_before = conformity(fine.mesh, fine.natural);
     LevelData<D> data;
     prepare_metrics(fine, target, data);
-    data.bounds = interpolation_bounds(fine.natural, target, options.removal.interpolation);
+    data.directions = coarsened_directions(fine.natural, target);
     report.seconds.metric += watch.lap();
     stop_if_asked(monitor);
 
@@ -188,6 +183,76 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     coarse.natural = nodal_metric(coarse.mesh, options.mean);
     report.seconds.metric += watch.lap();
     return coarse;
+}
+
+/// What several steps have in common; the first one's `before`, the last one's `after`.
+void add_step(CoarsenReport& all, const CoarsenReport& step) {
+    all.nodes_after = step.nodes_after;
+    all.elements_after = step.elements_after;
+    for (std::size_t i = 0; i < verdict_count; ++i) {
+        all.removal.counts[i] += step.removal.counts[i];
+        all.swaps.counts[i] += step.swaps.counts[i];
+    }
+    all.removed_in_first_pass += step.removed_in_first_pass;
+    all.deviation = step.deviation;
+    all.deviation_relative = step.deviation_relative;
+    all.conformity = step.conformity;
+    all.check = step.check;
+    all.seconds.metric += step.seconds.metric;
+    all.seconds.order += step.seconds.order;
+    all.seconds.first_pass += step.seconds.first_pass;
+    all.seconds.remove += step.seconds.remove;
+    all.seconds.swap += step.seconds.swap;
+    all.seconds.check += step.seconds.check;
+}
+
+} // namespace
+
+int coarsening_steps(double factor) {
+    return std::max(1, static_cast<int>(std::lround(std::log2(factor))));
+}
+
+template <int D>
+Level<D> finest_level(Mesh<D> mesh, const CoarsenOptions& options, Monitor& monitor) {
+    Level<D> level;
+    level.geometry = classify_geometry(mesh, options.features);
+    level.natural = nodal_metric(mesh, options.mean, monitor);
+    level.mesh = std::move(mesh);
+    return level;
+}
+
+template <int D>
+Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenReport& report,
+                 Monitor& monitor) {
+    const int steps = coarsening_steps(options.target.factor);
+    const MetricField<D> target = target_metric(fine.mesh, fine.natural, options.target);
+    if (steps == 1) {
+        return coarsen_once(fine, options, target, report, monitor);
+    }
+    CoarsenOptions step_options = options;
+    step_options.target.factor = std::pow(options.target.factor, 1.0 / steps);
+    Level<D> level;
+    for (int n = 0; n < steps; ++n) {
+        MonitorPart part(monitor, static_cast<double>(n) / steps, (n + 1.0) / steps);
+        const Level<D>& from = n == 0 ? fine : level;
+        CoarsenReport made;
+        Level<D> next =
+            coarsen_once(from, step_options,
+                         target_metric(from.mesh, from.natural, step_options.target), made, part);
+        if (n == 0) {
+            report = std::move(made);
+        } else {
+            add_step(report, made);
+            for (NodeId& parent : next.parent) {
+                parent = level.parent[parent];
+            }
+        }
+        level = std::move(next);
+    }
+    report.factor = options.target.factor;
+    report.predicted_nodes = predicted_nodes(fine, target);
+    report.conformity = conformity(level.mesh, restricted(target, level.parent));
+    return level;
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

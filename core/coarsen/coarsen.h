@@ -70,6 +70,10 @@ template <int D>
 [[nodiscard]] Level<D> finest_level(Mesh<D> mesh, const CoarsenOptions& options,
                                     Monitor& monitor = Monitor::silent());
 
+/// Steps in which sizes grow by `factor`: each near 2, so that a removed node always has neighbours
+/// that stay. The levels between them are forgotten.
+[[nodiscard]] int coarsening_steps(double factor);
+
 /// Makes the next coarser level. The nodes of the result are nodes of `fine`, in the same order.
 ///
 /// \throws Cancelled when asked to stop; nothing is left half done

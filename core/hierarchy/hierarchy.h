@@ -8,6 +8,7 @@
 #include "core/metric/aspect_ratio.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,9 +72,10 @@ struct LevelTiming {
     PhaseSeconds phases;
     double statistics = 0;        ///< seconds to measure the level
     double write = 0;             ///< seconds to write its files
+    double transfer = 0;          ///< seconds to make and write its transfer
     std::int64_t peak_memory = 0; ///< of the process so far [bytes]
 
-    [[nodiscard]] double total() const { return phases.total() + statistics + write; }
+    [[nodiscard]] double total() const { return phases.total() + statistics + write + transfer; }
 };
 
 /// A file and the hash of its bytes.
@@ -84,10 +86,21 @@ struct HashedFile {
     friend bool operator==(const HashedFile&, const HashedFile&) = default;
 };
 
+/// The files of the transfer between a level and the next finer one, k and k - 1.
+struct TransferFiles {
+    HashedFile matrix;    ///< prolongation from level k to k - 1, all nodes, as MatrixMarket text
+    HashedFile petsc;     ///< the same in PETSc's binary format
+    HashedFile parent;    ///< fine node at the place of each coarse node
+    HashedFile projected; ///< fine nodes that are not in the coarse domain
+    std::int64_t nested = 0, interpolated = 0, projected_nodes = 0; ///< fine nodes by kind
+    double largest_projection = 0; ///< distance of the farthest projected node [L]
+};
+
 struct HierarchyLevel {
     HashedFile mesh;   ///< level 0: the input's file
     HashedFile metric; ///< natural metric
     HashedFile state;  ///< what the next coarsening needs besides (level_state.h); level 0: none
+    std::optional<TransferFiles> transfer; ///< to the next finer level, if it was asked for
     LevelStatistics statistics;
 };
 

@@ -26,22 +26,6 @@ namespace fs = std::filesystem;
 constexpr const char* list_name = "hierarchy.json";
 constexpr const char* timing_name = "timing.json";
 
-void create_folder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure || !fs::is_directory(folder)) {
-        throw FileError(folder.string() + ": cannot be made a folder" +
-                        (failure ? " (" + failure.message() + ")" : "") +
-                        ": choose another place for the levels");
-    }
-}
-
-void write_whole(const fs::path& path, const std::string& bytes) {
-    AtomicFile file(path);
-    file.write(bytes.data(), bytes.size());
-    file.commit();
-}
-
 std::string read_whole(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
@@ -66,11 +50,7 @@ void copy_whole(const fs::path& from, const fs::path& to) {
     target.commit();
 }
 
-HashedFile hashed(const fs::path& folder, const std::string& file) {
-    return {file, content_hash_of_file(folder / file)};
-}
-
-bool is_intact(const fs::path& folder, const HashedFile& file) {
+bool file_is_intact(const fs::path& folder, const HashedFile& file) {
     if (file.name.empty()) {
         return true;
     }
@@ -81,11 +61,20 @@ bool is_intact(const fs::path& folder, const HashedFile& file) {
     }
 }
 
+std::array<const HashedFile*, 4> files_of(const TransferFiles& t) {
+    return {&t.matrix, &t.petsc, &t.parent, &t.projected};
+}
+
 std::vector<std::string> listed_files(const Hierarchy& hierarchy) {
     std::vector<std::string> names{hierarchy.input.file.name};
     for (const HierarchyLevel& level : hierarchy.levels) {
         for (const HashedFile* file : {&level.mesh, &level.metric, &level.state}) {
             names.push_back(file->name);
+        }
+        if (level.transfer) {
+            for (const HashedFile* file : files_of(*level.transfer)) {
+                names.push_back(file->name);
+            }
         }
     }
     return names;
@@ -163,7 +152,7 @@ void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& st
         write_mesh(folder_ / mesh, level.mesh);
         entry.mesh = hashed(folder_, mesh);
         const std::string state = "state_" + number + ".cbor";
-        write_whole(folder_ / state, level_state_bytes(level));
+        write_whole_file(folder_ / state, level_state_bytes(level));
         entry.state = hashed(folder_, state);
     }
     const bool text = hierarchy_.mesh_suffix == ".mesh";
@@ -176,14 +165,23 @@ void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& st
     write_lists();
 }
 
+void HierarchyFolder::add_transfer(int level, TransferFiles files, double seconds) {
+    const auto k = static_cast<std::size_t>(level);
+    hierarchy_.levels.at(k).transfer = std::move(files);
+    if (k < timings_.size()) { // a folder without a readable timing.json has none
+        timings_[k].transfer = seconds;
+    }
+    write_lists();
+}
+
 void HierarchyFolder::finish(HierarchyStatus status) {
     hierarchy_.status = status;
     write_lists();
 }
 
 void HierarchyFolder::write_lists() const {
-    write_whole(folder_ / timing_name, timing_text(timings_, thread_count()));
-    write_whole(folder_ / list_name, hierarchy_text(hierarchy_));
+    write_whole_file(folder_ / timing_name, timing_text(timings_, thread_count()));
+    write_whole_file(folder_ / list_name, hierarchy_text(hierarchy_));
 }
 
 Hierarchy read_hierarchy(const fs::path& folder) {
@@ -205,12 +203,22 @@ int intact_levels(const fs::path& folder, const Hierarchy& hierarchy) {
     for (const HierarchyLevel& level : hierarchy.levels) {
         const std::array<const HashedFile*, 3> files{&level.mesh, &level.metric, &level.state};
         if (!std::all_of(files.begin(), files.end(),
-                         [&](const HashedFile* file) { return is_intact(folder, *file); })) {
+                         [&](const HashedFile* file) { return file_is_intact(folder, *file); })) {
             break;
         }
         ++count;
     }
     return count;
+}
+
+bool is_intact(const fs::path& folder, const TransferFiles& files) {
+    const auto all = files_of(files);
+    return std::all_of(all.begin(), all.end(),
+                       [&](const HashedFile* file) { return file_is_intact(folder, *file); });
+}
+
+HashedFile hashed(const fs::path& folder, const std::string& file) {
+    return {file, content_hash_of_file(folder / file)};
 }
 
 template <int D>
@@ -238,7 +246,7 @@ Level<D> read_level(const fs::path& folder, const Hierarchy& hierarchy, int leve
 bool is_hierarchy_file(const std::string& name) {
     // A killed run leaves files as .<name>.<process>-<count>.tmp (io/atomic_file.h).
     static const std::regex pattern(
-        R"(\.?(hierarchy\.json|timing\.json|(level|metric|state|P)_[0-9]+\.[a-z.]+?))"
+        R"(\.?(hierarchy\.json|timing\.json|(level|metric|state|P|parent|projected)_[0-9]+\.[a-z.]+?))"
         R"((\.[0-9]+-[0-9]+\.tmp)?)");
     return std::regex_match(name, pattern);
 }

@@ -7,6 +7,9 @@
 ///     level_k.meshb     mesh of level k (k >= 1; level 0 is the input, or its copy level_0.*)
 ///     metric_k.solb     natural metric of level k
 ///     state_k.cbor      what the next coarsening needs besides (level_state.h)
+///     P_k.mtx, P_k.petsc, parent_k.txt, projected_k.txt
+///                       if asked for: transfer between the levels k + 1 and k
+///                       (multigrid/transfer_files.h)
 #pragma once
 
 #include "core/hierarchy/build_hierarchy.h"
@@ -33,9 +36,15 @@ public:
     template <int D>
     void add_level(const Level<D>& level, const LevelStatistics& statistics, LevelTiming timing);
 
+    /// Lists files that are in the folder already: those of the transfer between `level`, at least
+    /// 1, and the next finer one.
+    /// \param seconds  what they cost
+    void add_transfer(int level, TransferFiles files, double seconds);
+
     /// Writes down how it ended.
     void finish(HierarchyStatus status);
 
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
     [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
     [[nodiscard]] const std::vector<LevelTiming>& timings() const { return timings_; }
 
@@ -56,6 +65,12 @@ private:
 
 /// How many levels, from level 0 on, have all their files with the bytes that were written.
 [[nodiscard]] int intact_levels(const std::filesystem::path& folder, const Hierarchy& hierarchy);
+
+/// Whether all files of a transfer have the bytes that were written.
+[[nodiscard]] bool is_intact(const std::filesystem::path& folder, const TransferFiles& files);
+
+/// The name of a file in `folder`, with the hash of what it holds. \throws FileError
+[[nodiscard]] HashedFile hashed(const std::filesystem::path& folder, const std::string& file);
 
 /// Reads the mesh of a level; level 0 with its boundary completed, as it was coarsened.
 /// \throws FileError, InputError

@@ -19,6 +19,30 @@ HashedFile read_file(const Json& json) {
     return {json.at("file").get<std::string>(), parse_hash(json.at("hash").get<std::string>())};
 }
 
+Json to_json(const TransferFiles& t) {
+    return {{"matrix", to_json(t.matrix)},
+            {"petsc", to_json(t.petsc)},
+            {"parent", to_json(t.parent)},
+            {"projected", to_json(t.projected)},
+            {"nested", t.nested},
+            {"interpolated", t.interpolated},
+            {"projected_nodes", t.projected_nodes},
+            {"largest_projection", t.largest_projection}};
+}
+
+TransferFiles read_transfer(const Json& json) {
+    TransferFiles t;
+    t.matrix = read_file(json.at("matrix"));
+    t.petsc = read_file(json.at("petsc"));
+    t.parent = read_file(json.at("parent"));
+    t.projected = read_file(json.at("projected"));
+    json.at("nested").get_to(t.nested);
+    json.at("interpolated").get_to(t.interpolated);
+    json.at("projected_nodes").get_to(t.projected_nodes);
+    json.at("largest_projection").get_to(t.largest_projection);
+    return t;
+}
+
 Json settings_json(const Hierarchy& h) {
     const CoarsenOptions& o = h.options.coarsen;
     return {{"levels", h.options.levels},
@@ -29,6 +53,7 @@ Json settings_json(const Hierarchy& h) {
             {"target_ratio", h.options.target_ratio},
             {"until_isotropic", h.options.until_isotropic},
             {"slack", o.target.slack},
+            {"isotropic_below", o.target.isotropic_below},
             {"algorithm", name(o.target.algorithm)},
             {"gradation", o.target.gradation},
             {"surface_deviation", o.removal.surface.relative_distance},
@@ -62,6 +87,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("target_ratio").get_to(h.options.target_ratio);
     json.at("until_isotropic").get_to(h.options.until_isotropic);
     json.at("slack").get_to(o.target.slack);
+    json.at("isotropic_below").get_to(o.target.isotropic_below);
     o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());
     json.at("gradation").get_to(o.target.gradation);
     json.at("surface_deviation").get_to(o.removal.surface.relative_distance);
@@ -87,6 +113,9 @@ Json level_json(const HierarchyLevel& level) {
     if (!level.state.name.empty()) {
         json["state"] = to_json(level.state);
     }
+    if (level.transfer) {
+        json["transfer"] = to_json(*level.transfer);
+    }
     json.update(to_json(level.statistics));
     return json;
 }
@@ -97,6 +126,9 @@ HierarchyLevel read_level(const Json& json) {
     level.metric = read_file(json.at("metric"));
     if (json.contains("state")) {
         level.state = read_file(json.at("state"));
+    }
+    if (json.contains("transfer")) {
+        level.transfer = read_transfer(json.at("transfer"));
     }
     from_json(json, level.statistics);
     return level;

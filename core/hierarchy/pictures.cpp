@@ -246,9 +246,7 @@ std::vector<std::string> write_pictures(const std::filesystem::path& folder,
                                         const Hierarchy& hierarchy) {
     std::vector<std::string> names;
     const auto write = [&](const std::string& name, const std::string& svg) {
-        AtomicFile file(folder / name);
-        file.write(svg.data(), svg.size());
-        file.commit();
+        write_whole_file(folder / name, svg);
         names.push_back(name);
     };
     std::vector<AspectRatioClasses> classes;

@@ -138,6 +138,7 @@ Json to_json(const LevelTiming& t) {
               {"check", t.phases.check},
               {"statistics", t.statistics},
               {"write", t.write},
+              {"transfer", t.transfer},
               {"total", t.total()}}},
             {"peak_memory_bytes", t.peak_memory}};
 }
@@ -183,6 +184,7 @@ void from_json(const Json& json, LevelTiming& t) {
     seconds.at("check").get_to(t.phases.check);
     seconds.at("statistics").get_to(t.statistics);
     seconds.at("write").get_to(t.write);
+    seconds.at("transfer").get_to(t.transfer);
     json.at("peak_memory_bytes").get_to(t.peak_memory);
 }
 

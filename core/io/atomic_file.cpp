@@ -131,4 +131,19 @@ void AtomicFile::commit() {
     fail(closed == 0 ? "cannot be put in place" : "cannot be written", error);
 }
 
+void write_whole_file(const std::filesystem::path& path, std::string_view content) {
+    AtomicFile file(path);
+    file.write(content.data(), content.size());
+    file.commit();
+}
+
+void create_folder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder)) {
+        throw FileError(folder.string() + ": cannot be made a folder" +
+                        (failure ? " (" + failure.message() + ")" : "") + ": choose another place");
+    }
+}
+
 } // namespace ameco

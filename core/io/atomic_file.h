@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace ameco {
 
@@ -63,5 +64,12 @@ private:
     std::int64_t flushed_ = 0;
     int fd_ = -1;
 };
+
+/// Writes a file of known content. \throws FileError
+void write_whole_file(const std::filesystem::path& path, std::string_view content);
+
+/// Makes a folder and those above it, where they are not there.
+/// \throws FileError
+void create_folder(const std::filesystem::path& folder);
 
 } // namespace ameco

@@ -53,11 +53,18 @@ struct ReadOptions {
     bool from_memory = false; ///< the content is not in a file of that name
 };
 
+/// Values at the nodes, to be written beside a mesh.
+struct NodalField {
+    std::string name;
+    std::vector<double> values; ///< [n]
+};
+
 struct WriteOptions {
     std::string format = {}; ///< name of a format (format.h); empty: the suffix decides
     int version = 2;         ///< Medit binary, 1-4; raised when sizes or digits demand it
     const std::vector<OpaqueRecord>* carried = nullptr; ///< to be written too; may be null
     const TensorFile* tensors = nullptr; ///< metric at the nodes, for .vtu; may be null
+    std::vector<NodalField> fields = {}; ///< values at the nodes, for .vtu
     std::filesystem::path metric = {};   ///< file that an MTC meta-file is to name as its metric
 };
 

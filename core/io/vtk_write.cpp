@@ -171,6 +171,11 @@ std::vector<std::string> write_vtu(const std::filesystem::path& path, const Mesh
     if (options.tensors != nullptr) {
         add_metric<D>(*options.tensors, *grid, path.string());
     }
+    for (const NodalField& field : options.fields) {
+        const auto values = make_reals(field.name.c_str(), 1, grid->GetNumberOfPoints());
+        std::copy(field.values.begin(), field.values.end(), values->GetPointer(0));
+        grid->GetPointData()->AddArray(values);
+    }
     const Silence silence;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writer->SetInputData(grid);

@@ -2,6 +2,7 @@
 #include "core/mesh/boundary.h"
 
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/mesh/facets.h"
 #include "core/mesh/references.h"
 #include "core/mesh/simplex.h"
@@ -306,6 +307,27 @@ BoundaryRepair complete_boundary(Mesh<D>& mesh, double ridge_angle_deg) {
     add_faces(mesh, faults.missing, ridge_angle_deg, repair.first_new_patch);
     repair.faces_added = static_cast<std::int64_t>(faults.missing.size());
     return repair;
+}
+
+std::vector<std::string> repair_remarks(const BoundaryRepair& repair) {
+    std::vector<std::string> remarks;
+    if (repair.elements_turned) {
+        remarks.emplace_back("all elements had negative orientation and were turned");
+    }
+    if (repair.faces_turned > 0) {
+        remarks.push_back(plural(repair.faces_turned, "boundary face") + " pointed inwards and " +
+                          (repair.faces_turned == 1 ? "was" : "were") + " turned");
+    }
+    if (repair.faces_added > 0) {
+        remarks.push_back(plural(repair.faces_added, "boundary face") + " missing in the file " +
+                          (repair.faces_added == 1 ? "was" : "were") + " added, as patch " +
+                          std::to_string(repair.first_new_patch) + " and up");
+    }
+    if (repair.orphans_removed > 0) {
+        remarks.push_back(plural(repair.orphans_removed, "node") + " that no element uses " +
+                          (repair.orphans_removed == 1 ? "was" : "were") + " left out");
+    }
+    return remarks;
 }
 
 template BoundaryRepair complete_boundary(Mesh<2>&, double);

@@ -6,6 +6,8 @@
 #include "core/mesh/mesh.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace ameco {
 
@@ -25,5 +27,8 @@ struct BoundaryRepair {
 /// name.
 template <int D>
 BoundaryRepair complete_boundary(Mesh<D>& mesh, double ridge_angle_deg = 40.0);
+
+/// What was mended, one line each.
+[[nodiscard]] std::vector<std::string> repair_remarks(const BoundaryRepair& repair);
 
 } // namespace ameco

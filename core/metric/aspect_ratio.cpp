@@ -15,23 +15,6 @@ std::vector<double> aspect_ratios(const MetricField<D>& field) {
     return ratios;
 }
 
-/// The class of `ratio`, with the edges of `classes` as they are: powers of two, so exact.
-std::size_t class_of(double ratio, const AspectRatioClasses& classes) {
-    if (!(ratio < classes.max)) {
-        return 0;
-    }
-    const std::size_t last = classes.counts.size() - 1;
-    const int guess = std::ilogb(classes.max / ratio);
-    std::size_t k = std::min(last, static_cast<std::size_t>(std::max(0, guess)));
-    while (k < last && ratio <= classes.lower(k)) {
-        ++k;
-    }
-    while (k > 0 && ratio > classes.upper(k)) {
-        --k;
-    }
-    return k;
-}
-
 /// The smallest of the sorted values that at most a share 1 - p of them is above.
 double quantile(const std::vector<double>& sorted, double p) {
     const double rank = std::ceil(p * static_cast<double>(sorted.size()));
@@ -45,20 +28,42 @@ double AspectRatioClasses::upper(std::size_t k) const {
     return std::ldexp(max, -static_cast<int>(k));
 }
 
+std::size_t AspectRatioClasses::class_of(double aspect_ratio) const {
+    if (!(aspect_ratio < max)) {
+        return 0;
+    }
+    const std::size_t last = counts.size() - 1;
+    const int guess = std::ilogb(max / aspect_ratio);
+    std::size_t k = std::min(last, static_cast<std::size_t>(std::max(0, guess)));
+    // The edges are powers of two times max, so exact: the guess is corrected by them.
+    while (k < last && aspect_ratio <= lower(k)) {
+        ++k;
+    }
+    while (k > 0 && aspect_ratio > upper(k)) {
+        --k;
+    }
+    return k;
+}
+
+AspectRatioClasses empty_classes(double max) {
+    AspectRatioClasses classes;
+    classes.max = std::max(1.0, max);
+    // Class ilogb(max) is the one with lower < 1 <= upper.
+    classes.counts.assign(static_cast<std::size_t>(std::ilogb(classes.max)) + 1, 0);
+    return classes;
+}
+
 template <int D>
 AspectRatioClasses classify_aspect_ratios(const MetricField<D>& field, double max) {
     const std::vector<double> ratios = aspect_ratios(field);
-    AspectRatioClasses classes;
-    classes.max = std::max(1.0, max);
     if (max == 0) {
         for (const double ratio : ratios) {
-            classes.max = std::isfinite(ratio) ? std::max(classes.max, ratio) : classes.max;
+            max = std::isfinite(ratio) ? std::max(max, ratio) : max;
         }
     }
-    // Class ilogb(max) is the one with lower < 1 <= upper.
-    classes.counts.assign(static_cast<std::size_t>(std::ilogb(classes.max)) + 1, 0);
+    AspectRatioClasses classes = empty_classes(max);
     for (const double ratio : ratios) {
-        ++classes.counts[class_of(ratio, classes)];
+        ++classes.counts[classes.class_of(ratio)];
     }
     return classes;
 }

@@ -18,7 +18,13 @@ struct AspectRatioClasses {
 
     [[nodiscard]] double upper(std::size_t k) const;
     [[nodiscard]] double lower(std::size_t k) const { return upper(k + 1); }
+    /// The class that an aspect ratio is counted in; 0 above `max`, and for what is no number.
+    [[nodiscard]] std::size_t class_of(double aspect_ratio) const;
 };
+
+/// Classes with nothing in them yet, down to the one that contains 1.
+/// \param max  upper edge of the first class; below 1 means 1
+[[nodiscard]] AspectRatioClasses empty_classes(double max);
 
 /// \param max  upper edge of the first class; 0 takes the field's own largest aspect ratio. Give
 ///             the finest level's to compare the levels of a hierarchy. Nodes above it are counted

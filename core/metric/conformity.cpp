@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -17,6 +18,33 @@
 #include <Eigen/LU>
 
 namespace ameco {
+
+// Lengths and volume are those of the edges X = S^-1 E, with S the mean of M^-1/2.
+template <int D>
+double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Simplex<D>& s) {
+    Mat<D> mean = Mat<D>::Zero();
+    for (const NodeId i : s) {
+        const Mat<D>& V = field[i].directions;
+        mean += V * field[i].sizes.asDiagonal() * V.transpose();
+    }
+    Mat<D> edges;
+    for (int i = 0; i < D; ++i) {
+        edges.col(i) = mesh.points[s[i + 1]] - mesh.points[s[0]];
+    }
+    mean /= D + 1;
+    const Mat<D> X = mean.llt().solve(edges);
+    double squares = X.squaredNorm();
+    for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < i; ++j) {
+            squares += (X.col(i) - X.col(j)).squaredNorm();
+        }
+    }
+    constexpr double volume_of_unit_edges = (D == 2 ? 2 : 6) * regular_simplex_volume<D>;
+    const double mean_square = squares / (D * (D + 1) / 2);
+    const double q = X.determinant() / (volume_of_unit_edges * std::pow(std::sqrt(mean_square), D));
+    return std::min(q, 1.0); // the regular simplex may come out above by rounding
+}
+
 namespace {
 
 constexpr std::size_t piece_size = 4096;
@@ -56,24 +84,42 @@ struct Count {
     }
 };
 
+/// The same for classes.
+struct ClassCount : ConformityClasses {
+    void add_length(double l) {
+        const double k = std::floor(4 * std::log2(l)) + length_classes / 2;
+        ++length[static_cast<std::size_t>(std::clamp(k, 0.0, length_classes - 1.0))];
+    }
+    void add_quality(double q) {
+        const double k = std::floor(q * quality_classes);
+        ++quality[static_cast<std::size_t>(std::clamp(k, 0.0, quality_classes - 1.0))];
+    }
+    void add(const ClassCount& c) {
+        std::transform(quality.begin(), quality.end(), c.quality.begin(), quality.begin(),
+                       std::plus<>());
+        std::transform(length.begin(), length.end(), c.length.begin(), length.begin(),
+                       std::plus<>());
+    }
+};
+
 /// Runs `body(begin, end, count)` on the pieces of [0, n) and joins what they counted.
-template <class Body>
-Count count_pieces(std::size_t n, const Body& body) {
-    std::vector<Count> pieces((n + piece_size - 1) / piece_size);
+template <class Counts, class Body>
+Counts count_pieces(std::size_t n, const Body& body) {
+    std::vector<Counts> pieces((n + piece_size - 1) / piece_size);
     parallel_for(n, piece_size, [&](std::size_t begin, std::size_t end) {
         body(begin, end, pieces[begin / piece_size]);
     });
-    Count all;
-    for (const Count& piece : pieces) {
+    Counts all;
+    for (const Counts& piece : pieces) {
         all.add(piece);
     }
     return all;
 }
 
 /// Length of a vector in a metric: |F e|, the factor made once per node for all its edges.
-template <int D>
+template <int D, class Counts>
 void add_lengths(const Mesh<D>& mesh, const MetricField<D>& field, NodeId i,
-                 std::span<const NodeId> neighbours, Count& count) {
+                 std::span<const NodeId> neighbours, Counts& count) {
     const Mat<D> F = length_factor<D>(field[i]);
     for (const NodeId j : neighbours) {
         if (i < j) {
@@ -83,49 +129,33 @@ void add_lengths(const Mesh<D>& mesh, const MetricField<D>& field, NodeId i,
     }
 }
 
-/// (17) in the mean S of M^-1/2: lengths and volume are those of the edges X = S^-1 E.
-template <int D>
-double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field, const Simplex<D>& s) {
-    Mat<D> mean = Mat<D>::Zero();
-    for (const NodeId i : s) {
-        const Mat<D>& V = field[i].directions;
-        mean += V * field[i].sizes.asDiagonal() * V.transpose();
-    }
-    Mat<D> edges;
-    for (int i = 0; i < D; ++i) {
-        edges.col(i) = mesh.points[s[i + 1]] - mesh.points[s[0]];
-    }
-    mean /= D + 1;
-    const Mat<D> X = mean.llt().solve(edges);
-    double squares = X.squaredNorm();
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i; ++j) {
-            squares += (X.col(i) - X.col(j)).squaredNorm();
-        }
-    }
-    constexpr double volume_of_unit_edges = (D == 2 ? 2 : 6) * regular_simplex_volume<D>;
-    const double mean_square = squares / (D * (D + 1) / 2);
-    const double q = X.determinant() / (volume_of_unit_edges * std::pow(std::sqrt(mean_square), D));
-    return std::min(q, 1.0); // the regular simplex may come out above by rounding
+template <int D, class Counts>
+Counts count_lengths(const Mesh<D>& mesh, const MetricField<D>& field) {
+    const NodeNodes neighbours = node_neighbours(mesh);
+    return count_pieces<Counts>(
+        mesh.points.size(), [&](std::size_t begin, std::size_t end, Counts& count) {
+            for (std::size_t i = begin; i < end; ++i) {
+                add_lengths(mesh, field, NodeId(i), neighbours[NodeId(i)], count);
+            }
+        });
+}
+
+template <int D, class Counts>
+Counts count_shapes(const Mesh<D>& mesh, const MetricField<D>& field) {
+    return count_pieces<Counts>(
+        mesh.elements.size(), [&](std::size_t begin, std::size_t end, Counts& count) {
+            for (std::size_t e = begin; e < end; ++e) {
+                count.add_quality(shape_quality(mesh, field, mesh.elements[ElementId(e)]));
+            }
+        });
 }
 
 } // namespace
 
 template <int D>
 Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
-    const NodeNodes neighbours = node_neighbours(mesh);
-    const Count lengths =
-        count_pieces(mesh.points.size(), [&](std::size_t begin, std::size_t end, Count& count) {
-            for (std::size_t i = begin; i < end; ++i) {
-                add_lengths(mesh, field, NodeId(i), neighbours[NodeId(i)], count);
-            }
-        });
-    const Count shapes =
-        count_pieces(mesh.elements.size(), [&](std::size_t begin, std::size_t end, Count& count) {
-            for (std::size_t e = begin; e < end; ++e) {
-                count.add_quality(shape_quality(mesh, field, mesh.elements[ElementId(e)]));
-            }
-        });
+    const Count lengths = count_lengths<D, Count>(mesh, field);
+    const Count shapes = count_shapes<D, Count>(mesh, field);
     Conformity result;
     result.edges = lengths.edges;
     if (lengths.edges > 0) {
@@ -141,7 +171,18 @@ Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
     return result;
 }
 
+template <int D>
+ConformityClasses classify_conformity(const Mesh<D>& mesh, const MetricField<D>& field) {
+    ConformityClasses classes = count_lengths<D, ClassCount>(mesh, field);
+    classes.quality = count_shapes<D, ClassCount>(mesh, field).quality;
+    return classes;
+}
+
+template double shape_quality(const Mesh<2>&, const MetricField<2>&, const Simplex<2>&);
+template double shape_quality(const Mesh<3>&, const MetricField<3>&, const Simplex<3>&);
 template Conformity conformity<2>(const Mesh<2>&, const MetricField<2>&);
 template Conformity conformity<3>(const Mesh<3>&, const MetricField<3>&);
+template ConformityClasses classify_conformity(const Mesh<2>&, const MetricField<2>&);
+template ConformityClasses classify_conformity(const Mesh<3>&, const MetricField<3>&);
 
 } // namespace ameco

@@ -6,6 +6,7 @@
 #include "core/mesh/mesh.h"
 #include "core/metric/metric.h"
 
+#include <array>
 #include <cstdint>
 
 namespace ameco {
@@ -25,5 +26,23 @@ struct Conformity {
 /// of an element is (17), with the mean of its nodes' M^-1/2.
 template <int D>
 [[nodiscard]] Conformity conformity(const Mesh<D>& mesh, const MetricField<D>& field);
+
+/// Shape quality (17) of one element in the mean of its nodes' M^-1/2, in [0, 1].
+template <int D>
+[[nodiscard]] double shape_quality(const Mesh<D>& mesh, const MetricField<D>& field,
+                                   const Simplex<D>& element);
+
+/// Elements by quality and edges by length, in classes of equal width, for histograms.
+struct ConformityClasses {
+    static constexpr int quality_classes = 20; ///< class k holds qualities in [k, k + 1) / 20
+    static constexpr int length_classes = 24;  ///< class k: log2 of lengths in [k - 12, k - 11) / 4
+    std::array<std::int64_t, quality_classes> quality{}; ///< the last one holds 1, too
+    std::array<std::int64_t, length_classes> length{};   ///< the ends hold what is beyond them
+};
+
+/// The same edges and elements as `conformity`, counted.
+template <int D>
+[[nodiscard]] ConformityClasses classify_conformity(const Mesh<D>& mesh,
+                                                    const MetricField<D>& field);
 
 } // namespace ameco

@@ -2,6 +2,7 @@
 #include "core/multigrid/study.h"
 
 #include "core/base/stopwatch.h"
+#include "core/multigrid/local_galerkin.h"
 #include "core/multigrid/random_vector.h"
 
 #include <cmath>
@@ -33,6 +34,7 @@ template <int D>
 LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                                const std::vector<Transfer>& transfers,
                                const ModelProblem<D>& problem, CoarseOperator kind) {
+    const Stopwatch watch;
     LevelEquations out;
     out.symmetric = problem.velocity.isZero();
     double entries = 0, nodes = 0;
@@ -49,6 +51,8 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                 A = galerkin_product(finer, transfers[k - 1].P);
             } else if (kind == CoarseOperator::stiffened) {
                 A = stiffened(A, ratios);
+            } else if (kind == CoarseOperator::local_galerkin) {
+                A = local_galerkin(meshes[k - 1], meshes[k], transfers[k - 1].P, ratios, problem);
             }
         }
         if (kind == CoarseOperator::galerkin) {
@@ -66,6 +70,7 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
     }
     out.operator_complexity = entries / static_cast<double>(out.matrices.A[0].nonZeros());
     out.grid_complexity = nodes / static_cast<double>(out.unknowns[0].size());
+    out.seconds = watch.seconds();
     return out;
 }
 

@@ -22,6 +22,7 @@ struct LevelEquations {
     bool symmetric = true;
     double operator_complexity = 1; ///< entries of all matrices over those of the finest
     double grid_complexity = 1;     ///< unknowns of all levels over those of the finest
+    double seconds = 0;             ///< spent on the matrices of all levels
 };
 
 /// Discretises a problem on every level.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/hierarchy/hierarchy_json.h"
 #include "tests/acceptance/run_ameco.h"
 
 using namespace ameco::test;
@@ -8,6 +9,7 @@ class CoarsenRunTest : public QObject {
 private slots:
     void initTestCase();
     void writes_levels_that_check_valid();
+    void has_the_defaults_of_the_library();
     void prints_a_row_per_level();
     void prints_the_same_as_json();
     void gives_the_same_bytes_for_any_number_of_threads();
@@ -25,6 +27,8 @@ private slots:
     void takes_a_factor_per_level_and_remembers_it();
     void goes_on_until_nothing_is_stretched();
     void chooses_factors_for_a_ratio();
+    void writes_transfers_when_asked();
+    void adds_and_mends_transfers_on_resuming();
     void says_when_a_mesh_cannot_be_coarsened();
     void reports_progress_to_programs();
     void keeps_what_it_has_when_the_disk_is_full();
@@ -68,6 +72,14 @@ void CoarsenRunTest::writes_levels_that_check_valid() {
              (QStringList{"hierarchy.json", "level_1.meshb", "level_2.meshb", "level_3.meshb",
                           "metric_0.solb", "metric_1.solb", "metric_2.solb", "metric_3.solb",
                           "state_1.cbor", "state_2.cbor", "state_3.cbor", "timing.json"}));
+}
+
+void CoarsenRunTest::has_the_defaults_of_the_library() {
+    using Json = nlohmann::json;
+    const Json made = Json::parse(here_.content("all/hierarchy.json").toStdString());
+    Json settings = Json::parse(ameco::hierarchy_text({}))["settings"];
+    settings["levels"] = 3;
+    QCOMPARE(made["settings"].dump(2), settings.dump(2));
 }
 
 void CoarsenRunTest::prints_a_row_per_level() {
@@ -263,6 +275,52 @@ void CoarsenRunTest::chooses_factors_for_a_ratio() {
     const double ratio = run.json().at("hierarchy").at("levels").at(1).at("ratio").get<double>();
     const bool told = run.err.contains("not the 1.85 asked for");
     QVERIFY2((std::abs(ratio / 1.85 - 1) <= 0.05) != told, run.text());
+}
+
+void CoarsenRunTest::writes_transfers_when_asked() {
+    const Run run =
+        here_.ameco({"coarsen", "layer.meshb", "-o", "transfers", "-n", "2", "--transfer"});
+    QVERIFY2(run.code == 0, run.text());
+    const auto json =
+        nlohmann::json::parse(here_.content("transfers/hierarchy.json").toStdString());
+    QVERIFY(!json["levels"][0].contains("transfer"));
+    for (int k = 0; k < 2; ++k) {
+        const auto transfer = json["levels"][static_cast<std::size_t>(k) + 1]["transfer"];
+        const QString number = QString::number(k);
+        QCOMPARE(transfer["matrix"]["file"].get<std::string>(),
+                 ("P_" + number + ".mtx").toStdString());
+        // The same as the command for two meshes makes.
+        const QString fine = k == 0 ? "layer.meshb" : "transfers/level_1.meshb";
+        const QString coarse = QString("transfers/level_%1.meshb").arg(k + 1);
+        for (const QString suffix : {".mtx", ".petsc"}) {
+            const Run alone = here_.ameco({"transfer", fine, coarse, "-o", "alone" + suffix});
+            QVERIFY2(alone.code == 0, alone.text());
+            QCOMPARE(here_.content("transfers/P_" + number + suffix),
+                     here_.content("alone" + suffix));
+        }
+        // A line per coarse node, each the number of a fine node; in layers all are.
+        const QList<QByteArray> parents =
+            here_.content("transfers/parent_" + number + ".txt").trimmed().split('\n');
+        QVERIFY(parents[0].startsWith("# "));
+        const auto& levels = json["levels"];
+        const auto level = static_cast<std::size_t>(k);
+        QCOMPARE(parents.size() - 1, levels[level + 1]["nodes"].get<qsizetype>());
+        for (const QByteArray& parent : parents.mid(1)) {
+            QVERIFY(parent.toInt() >= 0 && parent.toInt() < levels[level]["nodes"].get<int>());
+        }
+        QCOMPARE(transfer["nested"].get<qsizetype>(), parents.size() - 1);
+    }
+}
+
+void CoarsenRunTest::adds_and_mends_transfers_on_resuming() {
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "later", "-n", "1"}).code, 0);
+    const QStringList resume{"coarsen", "layer.meshb", "-o",       "later",
+                             "-n",      "2",           "--resume", "--transfer"};
+    QVERIFY2(here_.ameco(resume).code == 0, "resumed with transfers");
+    QCOMPARE(contents("later"), contents("transfers"));
+    here_.write("later/P_0.mtx", "damaged");
+    QVERIFY2(here_.ameco(resume).code == 0, "resumed with a damaged transfer");
+    QCOMPARE(contents("later"), contents("transfers"));
 }
 
 void CoarsenRunTest::says_when_a_mesh_cannot_be_coarsened() {

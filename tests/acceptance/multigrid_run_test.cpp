@@ -14,6 +14,7 @@ private slots:
     void every_method_converges_data();
     void every_method_converges();
     void multigrid_writes_a_picture_and_matrices();
+    void multigrid_writes_the_slowest_errors();
     void refuses_data();
     void refuses();
 
@@ -78,12 +79,16 @@ void MultigridRunTest::every_method_converges_data() {
     for (const char* smoother : {"jacobi", "gauss-seidel", "chebyshev", "line"}) {
         QTest::newRow(smoother) << QStringList{"--smoother", smoother} << 16;
     }
-    for (const char* kind : {"rediscretised", "stiffened", "galerkin"}) {
+    for (const char* kind : {"rediscretised", "stiffened", "local-galerkin", "galerkin"}) {
         QTest::newRow(kind) << QStringList{"--operator", kind} << 8;
     }
     QTest::newRow("V(2,2)") << QStringList{"--steps", "2"} << 6;
     QTest::newRow("W-cycle") << QStringList{"--w-cycle"} << 8;
     QTest::newRow("one Dirichlet patch") << QStringList{"--dirichlet", "1"} << 16;
+    QTest::newRow("diffusion across the layers only, almost")
+        << QStringList{"--diffusion", "1e-6", "1e-6", "1"} << 8;
+    QTest::newRow("a full tensor")
+        << QStringList{"--diffusion", "1", "0.5", "0", "1", "0", "1"} << 12;
     QTest::newRow("convection, GMRES") << QStringList{"--velocity", "50", "0", "0"} << 16;
 }
 
@@ -108,6 +113,18 @@ void MultigridRunTest::multigrid_writes_a_picture_and_matrices() {
                           "P_1.petsc", "b.petsc"}));
 }
 
+void MultigridRunTest::multigrid_writes_the_slowest_errors() {
+    const Run run = here_.ameco({"multigrid", "levels", "--modes", "modes", "--json"});
+    if (run.code == 8) {
+        QSKIP("built without VTK");
+    }
+    QVERIFY2(run.code == 0, run.text());
+    QCOMPARE(here_.files("modes"), (QStringList{"mode_0.vtu", "mode_1.vtu"}));
+    QVERIFY(here_.content("modes/mode_0.vtu").contains("Name=\"slowest_error\""));
+    // The mesh beside it is the fine one, as it was.
+    QVERIFY(here_.ameco({"check", "modes/mode_0.vtu"}).code == 0);
+}
+
 void MultigridRunTest::refuses_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
@@ -120,6 +137,12 @@ void MultigridRunTest::refuses_data() {
     row("a patch that is not there", {"multigrid", "levels", "--dirichlet", "99"}, 2, "patch 99");
     row("a velocity of another dimension", {"multigrid", "levels", "--velocity", "1", "0"}, 2,
         "needs 3 numbers");
+    row("diffusion of another dimension", {"multigrid", "levels", "--diffusion", "1", "1"}, 2,
+        "needs 3 numbers, or 6");
+    row("diffusion that is not positive", {"multigrid", "levels", "--diffusion", "1", "1", "0"}, 2,
+        "positive definite");
+    row("a folder that is a file", {"multigrid", "levels", "--modes", "fine.meshb"}, 4,
+        "cannot be made a folder");
     row("a picture of an unknown kind", {"multigrid", "levels", "--plot", "plot.bmp"}, 2, ".svg");
     row("an unknown operator", {"multigrid", "levels", "--operator", "soft"}, 2, "rediscretised");
     row("a matrix of an unknown kind", {"transfer", "fine.meshb", "cube.meshb", "-o", "P.xyz"}, 2,

@@ -66,20 +66,29 @@ public:
     }
     void start(QProcess& process, const QStringList& arguments) const {
         process.setWorkingDirectory(path());
+        process.setProcessEnvironment(environment());
         process.start(AMECO_PROGRAM, arguments);
     }
     /// Runs a line of shell; "$AMECO" is the program.
     [[nodiscard]] Run shell(const QString& line) const {
         QProcess process;
         process.setWorkingDirectory(path());
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("AMECO", AMECO_PROGRAM);
-        process.setProcessEnvironment(environment);
+        process.setProcessEnvironment(environment());
         process.start("/bin/sh", {"-c", line});
         return result_of(process);
     }
 
 private:
+    /// Without a screen, so that no test opens a window by mistake.
+    [[nodiscard]] static QProcessEnvironment environment() {
+        QProcessEnvironment here = QProcessEnvironment::systemEnvironment();
+        here.insert("AMECO", AMECO_PROGRAM);
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+            here.remove(name);
+        }
+        return here;
+    }
+
     QTemporaryDir folder_;
 };
 

@@ -5,8 +5,10 @@
 ///     multigrid_bench mesh=FILE [levels=5] ...
 ///
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
-/// adds smoothers, W-cycles and convection. The rules of the coarsening are changed by mean, slack,
-/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
+/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2`
+/// makes cycles of every second level only; `factor` is that of the sizes from level to level. The
+/// rules of the coarsening are changed by mean, slack, dominance, passes, reach, later-reach,
+/// coupling-bound, layer-bound and direction-bound.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -136,19 +138,20 @@ void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) 
 void print_cycle(const LevelEquations& equations, const Vector& load, const CycleOptions& options,
                  CoarseOperator kind) {
     const CycleStudy s = study_cycle(equations, options, load);
+    // Each iteration of the Krylov method has a product with the finest matrix besides the cycle.
     std::printf("  %-13s %-12s %s(%d,%d)  factor %.3f, %s %2d (f = 1), %2d (random f), operator "
-                "complexity %.2f, work %.1f a cycle, set-up %.2f s, solve %.2f s\n",
+                "complexity %.2f, work %.1f a cycle, %.0f to 1e-8, set-up %.2f s, solve %.2f s\n",
                 std::string(name(kind)).c_str(), std::string(name(options.smoother.kind)).c_str(),
                 options.gamma == 1 ? "V" : "W", options.before, options.after, s.factor,
                 equations.symmetric ? "CG" : "GMRES", s.krylov.iterations, s.random_iterations,
-                equations.operator_complexity, s.work_per_cycle, s.setup_seconds, s.solve_seconds);
+                equations.operator_complexity, s.work_per_cycle,
+                s.krylov.iterations * (s.work_per_cycle + 1), s.setup_seconds, s.solve_seconds);
     std::fflush(stdout);
 }
 
 template <int D>
 void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) {
-    for (const CoarseOperator kind :
-         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+    for (const CoarseOperator kind : all_coarse_operators) {
         LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
         for (std::size_t k = 0; k < g.meshes.size(); ++k) {
             equations.matrices.lines.push_back(
@@ -169,18 +172,43 @@ void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) 
     }
 }
 
+/// The levels 0, n, 2n ..., with the products of the transfers between them.
 template <int D>
-void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem, int worst, bool full,
+Grids<D> every(Grids<D> g, std::size_t n) {
+    Grids<D> some;
+    for (std::size_t k = 0; k < g.meshes.size(); k += n) {
+        some.meshes.push_back(std::move(g.meshes[k]));
+        some.structures.push_back(std::move(g.structures[k]));
+        if (k + n < g.meshes.size()) {
+            Transfer transfer = std::move(g.transfers[k]);
+            for (std::size_t i = 1; i < n; ++i) {
+                transfer.P = SparseMatrix(transfer.P * g.transfers[k + i].P);
+            }
+            some.transfers.push_back(std::move(transfer));
+        }
+    }
+    return some;
+}
+
+struct RunOptions {
+    int levels = 5, worst = 5;
+    int skip = 1;
+    bool full = false, pairs = true;
+};
+
+template <int D>
+void run(Mesh<D> mesh, const ModelProblem<D>& problem, const RunOptions& options,
          const CoarsenOptions& coarsening) {
-    const Grids<D> g = make_grids(std::move(mesh), levels, coarsening);
-    {
+    const Grids<D> g = every(make_grids(std::move(mesh), options.levels, coarsening),
+                             static_cast<std::size_t>(options.skip));
+    if (options.pairs) {
         const LevelEquations equations =
             level_equations(g.meshes, g.transfers, problem, CoarseOperator::rediscretised);
         std::printf("  grid complexity %.2f\n", equations.grid_complexity);
-        print_pairs(g, equations, worst);
+        print_pairs(g, equations, options.worst);
     }
-    print_cycles(g, problem, full);
-    if (full) {
+    print_cycles(g, problem, options.full);
+    if (options.full) {
         std::printf("  convection-diffusion, velocity (50, 0 ...)\n");
         ModelProblem<D> convection = problem;
         convection.velocity[0] = 50;
@@ -193,16 +221,21 @@ void run(Mesh<D> mesh, int levels, const ModelProblem<D>& problem, int worst, bo
 int main(int argc, char** argv) {
     std::map<std::string, std::string> parameters;
     std::string name, file;
-    int levels = 5, worst = 5;
-    bool full = false;
+    RunOptions options;
     std::vector<int> dirichlet;
     CoarsenOptions coarsening;
     const std::map<std::string, double*> number{
+        {"factor", &coarsening.target.factor},
         {"slack", &coarsening.target.slack},
         {"dominance", &coarsening.lines.dominance},
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},
+        {"isotropic-below", &coarsening.target.isotropic_below},
+        {"isotropic-coupling", &coarsening.removal.isotropic_coupling},
+        {"isotropic-bound", &coarsening.removal.interpolation.isotropic},
+        {"crowded", &coarsening.removal.crowded},
+        {"deviation", &coarsening.removal.surface.relative_distance},
         {"layer-bound", &coarsening.removal.interpolation.layer},
         {"direction-bound", &coarsening.removal.interpolation.per_direction}};
     for (int i = 1; i < argc; ++i) {
@@ -215,11 +248,15 @@ int main(int argc, char** argv) {
         } else if (key == "mesh") {
             file = value;
         } else if (key == "levels") {
-            levels = std::stoi(value);
+            options.levels = std::stoi(value);
         } else if (key == "worst") {
-            worst = std::stoi(value);
+            options.worst = std::stoi(value);
         } else if (key == "full") {
-            full = value != "0";
+            options.full = value != "0";
+        } else if (key == "pairs") {
+            options.pairs = value != "0";
+        } else if (key == "skip") {
+            options.skip = std::max(1, std::stoi(value));
         } else if (key == "mean") {
             coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
         } else if (key == "passes") {
@@ -242,7 +279,7 @@ int main(int argc, char** argv) {
                 complete_boundary(m);
                 ModelProblem<D> problem;
                 problem.dirichlet_patches = dirichlet;
-                run(std::move(m), levels, problem, worst, full, coarsening);
+                run(std::move(m), problem, options, coarsening);
             },
             mesh);
     } catch (const std::exception& e) {

@@ -95,6 +95,8 @@ private slots:
     void layers_lose_every_other_layer();
     void flat_layers_in_2d_lose_every_other_layer_data();
     void flat_layers_in_2d_lose_every_other_layer();
+    void large_factors_keep_every_fourth_or_eighth_layer_data();
+    void large_factors_keep_every_fourth_or_eighth_layer();
     void numbering_does_not_matter_for_layers();
     void graded_layers_coarsen_at_least_as_the_ideal_mesh_data();
     void graded_layers_coarsen_at_least_as_the_ideal_mesh();
@@ -199,6 +201,37 @@ void CoarsenTest::flat_layers_in_2d_lose_every_other_layer() {
                  static_cast<std::int64_t>(kept * (layer.nx + 1)));
         QCOMPARE(share_in_wrong_layers(result, k, layer.nx + 1), 0.0);
         layers = kept;
+    }
+}
+
+void CoarsenTest::large_factors_keep_every_fourth_or_eighth_layer_data() {
+    QTest::addColumn<double>("factor");
+    QTest::addColumn<int>("spacing");
+    QTest::addRow("factor 4") << 4.0 << 4;
+    QTest::addRow("factor 8") << 8.0 << 8;
+}
+
+void CoarsenTest::large_factors_keep_every_fourth_or_eighth_layer() {
+    QFETCH(double, factor);
+    QFETCH(int, spacing);
+    LayerOptions layer;
+    layer.nx = layer.ny = 10;
+    layer.growth = 1;
+    CoarsenOptions options;
+    options.target.factor = factor;
+    const auto result = run(make_layer<3>(layer), 1, options);
+    const int per_layer = (layer.nx + 1) * (layer.ny + 1);
+    const CoarsenReport& report = result.reports[0];
+    QCOMPARE(report.nodes_before, std::int64_t{33 * per_layer});
+    QCOMPARE(report.nodes_after, static_cast<std::int64_t>((32 / spacing + 1) * per_layer));
+    QCOMPARE(report.factor, factor);
+    QVERIFY(std::abs(static_cast<double>(report.nodes_after) / report.predicted_nodes - 1) < 0.05);
+    // Parents are nodes of the fine mesh, not of one in between.
+    const Level<3>& fine = result.levels[0];
+    const Level<3>& coarse = result.levels[1];
+    for (const NodeId v : coarse.mesh.points.ids()) {
+        QCOMPARE(coarse.mesh.points[v], fine.mesh.points[coarse.parent[v]]);
+        QCOMPARE((coarse.parent[v].value() / per_layer) % spacing, 0);
     }
 }
 

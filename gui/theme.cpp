@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "gui/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace ameco::gui {
+namespace {
+
+struct Colours {
+    QColor window, base, alternate, text, faint, button, highlight, link;
+};
+
+QPalette palette_of(const Colours& c) {
+    QPalette p;
+    p.setColor(QPalette::Window, c.window);
+    p.setColor(QPalette::WindowText, c.text);
+    p.setColor(QPalette::Base, c.base);
+    p.setColor(QPalette::AlternateBase, c.alternate);
+    p.setColor(QPalette::Text, c.text);
+    p.setColor(QPalette::Button, c.button);
+    p.setColor(QPalette::ButtonText, c.text);
+    p.setColor(QPalette::ToolTipBase, c.base);
+    p.setColor(QPalette::ToolTipText, c.text);
+    p.setColor(QPalette::PlaceholderText, c.faint);
+    p.setColor(QPalette::Highlight, c.highlight);
+    p.setColor(QPalette::HighlightedText, Qt::white);
+    p.setColor(QPalette::Link, c.link);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        p.setColor(QPalette::Disabled, role, c.faint);
+    }
+    return p;
+}
+
+} // namespace
+
+void apply_theme(QApplication& application, bool dark) {
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setPalette(
+        dark ? palette_of({QColor(43, 45, 49), QColor(30, 31, 34), QColor(36, 38, 42),
+                           QColor(224, 226, 230), QColor(128, 132, 140), QColor(56, 59, 64),
+                           QColor(52, 110, 170), QColor(120, 180, 240)})
+             : palette_of({QColor(244, 245, 247), Qt::white, QColor(247, 248, 250),
+                           QColor(32, 34, 38), QColor(150, 154, 162), QColor(238, 240, 243),
+                           QColor(31, 78, 121), QColor(31, 95, 160)}));
+}
+
+} // namespace ameco::gui
