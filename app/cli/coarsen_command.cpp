@@ -43,8 +43,8 @@ public:
              {"coarsen wing.meshb -o levels --target-ratio 2 --until-isotropic",
               "half the nodes each time, until nothing is stretched any more"},
              {"coarsen wing.meshb -o levels --freeze wing tip", "leave two patches as they are"},
-             {"coarsen wing.meshb -o levels --slack 1 --surface-deviation 0.01",
-              "the paper's sizes, and stay closer to the surface"}},
+             {"coarsen wing.meshb -o levels --isotropic-below 1 --mean corrected",
+              "sizes as the paper has them"}},
             "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0 "
             "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and "
             "timing.json. Ctrl-C keeps the levels that are finished.\n"
@@ -113,8 +113,8 @@ private:
                 ->default_str(number_text(options_.coarsen.target.factor))
                 ->group(group);
         add_setting(app, options_, "target-ratio", group)->excludes(factor);
-        for (const char* name :
-             {"slack", "algorithm", "gradation", "mean", "surface-deviation", "ridge-angle"}) {
+        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
+                                 "surface-deviation", "ridge-angle"}) {
             add_setting(app, options_, name, group);
         }
         app.add_option("--freeze", freeze_,

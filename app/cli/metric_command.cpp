@@ -56,7 +56,7 @@ public:
                        "greater than 1 [off]")
             ->type_name("C")
             ->check(greater_than(1));
-        for (const char* name : {"slack", "algorithm", "gradation"}) {
+        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation"}) {
             add_setting(app, options_, name);
         }
         coarsen_ = app.get_option("--coarsen");

@@ -14,6 +14,8 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+
 namespace ameco::cli {
 namespace {
 
@@ -50,10 +52,12 @@ public:
                        "jacobi, gauss-seidel, chebyshev or line [gauss-seidel]")
             ->type_name("NAME")
             ->check(one_of({"jacobi", "gauss-seidel", "chebyshev", "line"}));
-        app.add_option("--operator", operator_,
-                       "coarse matrices: rediscretised, stiffened or galerkin [rediscretised]")
+        app.add_option(
+               "--operator", operator_,
+               "coarse matrices: rediscretised, stiffened, local-galerkin (Galerkin's where the "
+               "rediscretised ones are too soft) or galerkin [rediscretised]")
             ->type_name("NAME")
-            ->check(one_of({"rediscretised", "stiffened", "galerkin"}));
+            ->check(one_of({"rediscretised", "stiffened", "local-galerkin", "galerkin"}));
         app.add_option("--steps", steps_, "smoothing steps before, and after [1]")
             ->type_name("N")
             ->check(whole_number(1, 20));
@@ -147,9 +151,8 @@ private:
     }
 
     [[nodiscard]] CoarseOperator coarse_operator() const {
-        return operator_ == "galerkin"    ? CoarseOperator::galerkin
-               : operator_ == "stiffened" ? CoarseOperator::stiffened
-                                          : CoarseOperator::rediscretised;
+        return *std::find_if(all_coarse_operators.begin(), all_coarse_operators.end(),
+                             [&](CoarseOperator kind) { return name(kind) == operator_; });
     }
 
     template <int D>

@@ -35,7 +35,7 @@ struct LevelData {
     Lines lines;
     IdVector<NodeId, Mat<D>> natural, target;
     IdVector<NodeId, float> short_size;
-    IdVector<NodeId, float> bounds; ///< of the interpolation constant
+    IdVector<NodeId, float> directions; ///< in how many the target coarsens
     SizeField<D> sizes;
     RootField<D> root;
 };
@@ -70,9 +70,10 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     set_size_qualities(mesh, data.sizes);
-    RemovedNodes<D> removed(data.couplings, std::move(data.bounds));
-    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes, data.natural,
-                                data.target,      data.short_size, removed};
+    RemovedNodes<D> removed(
+        data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
+    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes,      data.natural,
+                                data.target,      data.short_size, data.directions, removed};
     const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
@@ -147,7 +148,7 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     report.conformity_before = conformity(fine.mesh, fine.natural);
     LevelData<D> data;
     prepare_metrics(fine, target, data);
-    data.bounds = interpolation_bounds(fine.natural, target, options.removal.interpolation);
+    data.directions = coarsened_directions(fine.natural, target);
     report.seconds.metric += watch.lap();
     stop_if_asked(monitor);
 

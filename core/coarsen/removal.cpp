@@ -90,7 +90,7 @@ private:
                 candidates_.push_back(w);
             }
         }
-        if (!crowded) {
+        if (!crowded || (!first_pass && !is_crowded(v))) {
             return false;
         }
         if (!within_coupling_bound(v)) {
@@ -154,20 +154,41 @@ private:
     /// Every removed node must keep a part of its stencil among the nodes that stay: otherwise
     /// no interpolation from the coarse mesh sees its error.
     bool within_coupling_bound(NodeId v) const {
-        const auto bound = static_cast<float>(options_.coupling_bound);
-        if (state_.removed_coupling[v] > bound * in_.couplings.diagonal[v]) {
+        if (state_.removed_coupling[v] > most_coupling(v)) {
             return false;
         }
         const auto neighbours = in_.couplings.neighbours[v];
         const auto values = in_.couplings.at(v);
         for (std::size_t i = 0; i < neighbours.size(); ++i) {
             const NodeId w = neighbours[i];
-            if (mesh_.is_removed(w) &&
-                state_.removed_coupling[w] + values[i] > bound * in_.couplings.diagonal[w]) {
+            if (mesh_.is_removed(w) && state_.removed_coupling[w] + values[i] > most_coupling(w)) {
                 return false;
             }
         }
         return true;
+    }
+
+    /// How much coupling with removed nodes a removed node may have.
+    float most_coupling(NodeId v) const {
+        const double t = isotropy<D>(in_.directions[v]);
+        return static_cast<float>(options_.coupling_bound + options_.isotropic_coupling * t * t) *
+               in_.couplings.diagonal[v];
+    }
+
+    /// Whether the edges of `v` (to `neighbours_`) are short on average.
+    bool is_crowded(NodeId v) const {
+        double sum = 0;
+        for (const NodeId w : neighbours_) {
+            sum += target_length(v, w);
+        }
+        const double most =
+            options_.crowded + options_.crowded_layer * (1 - isotropy<D>(in_.directions[v]));
+        return sum < most * static_cast<double>(neighbours_.size());
+    }
+
+    double target_length(NodeId v, NodeId w) const {
+        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
+        return edge_length((in_.target[v] * e).norm(), (in_.target[w] * e).norm());
     }
 
     /// Whether an edge is to go: its length in the target metric is well below 1. Edges the target
@@ -175,11 +196,11 @@ private:
     /// short ones among them would shift whole columns.
     bool too_close(NodeId v, NodeId w, double reach) const {
         constexpr double untouched = 0.4;
-        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
-        const double target = edge_length((in_.target[v] * e).norm(), (in_.target[w] * e).norm());
+        const double target = target_length(v, w);
         if (target >= reach) {
             return false;
         }
+        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
         const double natural =
             edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
         const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);

@@ -18,7 +18,14 @@ struct RemovalOptions {
     double reach = 0.73; ///< edges that shall go are shorter than this in the target metric [-]
     double later_reach = 1.1;    ///< the same of edges along which nodes may leave after the first
                                  ///< pass, when they are crowded by another [-]
-    double coupling_bound = 0.9; ///< most of a_vv that may go to removed neighbours [-]
+    double coupling_bound = 0.9; ///< most of a_vv that may go to removed neighbours [-], where
+                                 ///< few directions are coarsened ...
+    double isotropic_coupling = 1; ///< ... and what is added times the square of the isotropy:
+                                   ///< where all are, everything may go
+    double crowded = 1; ///< after the first pass a node leaves only if its edges are shorter than
+                        ///< this on average in the target metric, where all directions are
+                        ///< coarsened [-] ...
+    double crowded_layer = 0.5; ///< ... and this is added where only one is
     InterpolationBound interpolation;
 };
 
@@ -31,6 +38,7 @@ struct RemovalInput {
     const IdVector<NodeId, Mat<D>>& natural;   ///< length factors of the natural metric
     const IdVector<NodeId, Mat<D>>& target;    ///< length factors of the target metric
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
+    const IdVector<NodeId, float>& directions; ///< `coarsened_directions`
     RemovedNodes<D>& removed;                  ///< kept up to date
 };
 
@@ -49,7 +57,9 @@ void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                        const RemovalInput<D>& input, const RemovalOptions& options,
                        VerdictCounts& verdicts, Monitor& monitor);
 
-/// Later passes: nodes that still have a neighbour too close leave onto any that is not far.
+/// Later passes: nodes that still have a neighbour too close leave onto any that is not far, unless
+/// their other neighbours are far already. (Without the latter, isotropic regions would end with
+/// half the nodes that were asked for: one short edge is found at almost every node.)
 template <int D>
 void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                   const RemovalInput<D>& input, const RemovalOptions& options,

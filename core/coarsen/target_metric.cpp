@@ -2,10 +2,13 @@
 #include "core/coarsen/target_metric.h"
 
 #include "core/base/parallel.h"
+#include "core/base/smooth_fall.h"
 #include "core/mesh/adjacency.h"
 #include "core/metric/gradation.h"
+#include "core/metric/region_aspect.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ameco {
 
@@ -18,6 +21,14 @@ Vec<D> coarsened_sizes(const Vec<D>& sizes, const TargetOptions& options) {
         bound = h[k] * std::min(options.slack, h[k] / sizes[k]);
     }
     return h;
+}
+
+double slack_in_region(double aspect_ratio, const TargetOptions& options) {
+    if (aspect_ratio >= options.isotropic_below) {
+        return options.slack;
+    }
+    const double w = smooth_fall(std::log(aspect_ratio) / std::log(options.isotropic_below));
+    return std::max(options.slack, std::pow(options.factor, w));
 }
 
 std::string_view name(TargetAlgorithm algorithm) {
@@ -46,12 +57,15 @@ std::optional<TargetAlgorithm> target_algorithm_from_name(std::string_view text)
 namespace {
 
 template <int D>
-MetricField<D> basic_target(const MetricField<D>& natural, const TargetOptions& options) {
+MetricField<D> basic_target(const MetricField<D>& natural, const IdVector<NodeId, float>& regions,
+                            const TargetOptions& options) {
     MetricField<D> target = natural;
     parallel_for(target.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        TargetOptions here = options;
         for (std::size_t i = begin; i < end; ++i) {
+            here.slack = slack_in_region(static_cast<double>(regions[NodeId(i)]), options);
             Vec<D>& sizes = target[NodeId(i)].sizes;
-            sizes = coarsened_sizes<D>(sizes, options);
+            sizes = coarsened_sizes<D>(sizes, here);
         }
     });
     return target;
@@ -114,7 +128,13 @@ void apply_maca(const NodeNodes& neighbours, const MetricField<D>& natural, Metr
 template <int D>
 MetricField<D> target_metric(const Mesh<D>& mesh, const MetricField<D>& natural,
                              const TargetOptions& options) {
-    MetricField<D> target = basic_target<D>(natural, options);
+    return target_metric(mesh, natural, region_aspect_ratios(mesh, natural), options);
+}
+
+template <int D>
+MetricField<D> target_metric(const Mesh<D>& mesh, const MetricField<D>& natural,
+                             const IdVector<NodeId, float>& regions, const TargetOptions& options) {
+    MetricField<D> target = basic_target<D>(natural, regions, options);
     if (options.algorithm == TargetAlgorithm::basic) {
         return target;
     }
@@ -133,5 +153,9 @@ template MetricField<2> target_metric<2>(const Mesh<2>&, const MetricField<2>&,
                                          const TargetOptions&);
 template MetricField<3> target_metric<3>(const Mesh<3>&, const MetricField<3>&,
                                          const TargetOptions&);
+template MetricField<2> target_metric<2>(const Mesh<2>&, const MetricField<2>&,
+                                         const IdVector<NodeId, float>&, const TargetOptions&);
+template MetricField<3> target_metric<3>(const Mesh<3>&, const MetricField<3>&,
+                                         const IdVector<NodeId, float>&, const TargetOptions&);
 
 } // namespace ameco

@@ -30,8 +30,12 @@ inline constexpr std::array all_target_algorithms{TargetAlgorithm::basic, Target
 struct TargetOptions {
     double factor = 2.0; ///< coarse size over fine size [-], > 1
     double slack = 1.0;  ///< how far a size may pass the one before it [-], >= 1; the paper has 1
+    double isotropic_below = 1.6; ///< regions with a lower aspect ratio count as isotropic [-],
+                                  ///< >= 1; the paper knows none, which is 1
     TargetAlgorithm algorithm = TargetAlgorithm::basic;
     double gradation = 1.5; ///< `graded`: most growth of coarsened sizes per fine edge [-], > 1
+
+    friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
 };
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.
@@ -40,16 +44,21 @@ struct TargetOptions {
 ///     s_0 = 1,   s_k = min(s, h'_k / h_k)
 ///
 /// Where the sizes are equal all of them double; where h_1 is much smaller than the others only h_1
-/// does. With a slack s > 1, nodes whose aspect ratio is a little above 1 - the corrected mean
-/// overstates it in unstructured isotropic regions - are still coarsened in all directions. A size
-/// may pass the one before it only as far as that one has grown: in a layer with sizes 1e-6, 1, 1
-/// the second does not grow, and so the third does not either. Directions stay.
+/// does. With a slack s > 1, nodes whose aspect ratio is a little above 1 are still coarsened in
+/// all directions. A size may pass the one before it only as far as that one has grown: in a layer
+/// with sizes 1e-6, 1, 1 the second does not grow, and so the third does not either. Directions
+/// stay.
 /// \see docs/theory/coarsening.md; paper, Algorithm 1
 template <int D>
 [[nodiscard]] Vec<D> coarsened_sizes(const Vec<D>& sizes, const TargetOptions& options);
 
-/// The metric of the next coarser level: `coarsened_sizes` at every node, and what the algorithm
-/// makes of them beside each other.
+/// The slack in a region of a given aspect ratio r (metric/region_aspect.h): where r is below
+/// r_0 = `isotropic_below` at least C^w, w falling smoothly from 1 at r = 1 to 0 at r = r_0 over
+/// log r. In an isotropic region all sizes double, however the sizes of single nodes differ.
+[[nodiscard]] double slack_in_region(double aspect_ratio, const TargetOptions& options);
+
+/// The metric of the next coarser level: `coarsened_sizes` at every node with the slack of its
+/// region, and what the algorithm makes of them beside each other.
 ///
 /// `maca` is the paper's Algorithm 2 as we read it: a node that would be coarsened by C in all
 /// directions keeps its sizes if a neighbour has a smaller h_1 and is not itself coarsened so. To
@@ -60,5 +69,12 @@ template <int D>
 template <int D>
 [[nodiscard]] MetricField<D> target_metric(const Mesh<D>& mesh, const MetricField<D>& natural,
                                            const TargetOptions& options = {});
+
+/// The same with the regions' aspect ratios given, for those who want it with many factors.
+/// \param regions  [n] `region_aspect_ratios` of the natural metric
+template <int D>
+[[nodiscard]] MetricField<D> target_metric(const Mesh<D>& mesh, const MetricField<D>& natural,
+                                           const IdVector<NodeId, float>& regions,
+                                           const TargetOptions& options);
 
 } // namespace ameco

@@ -2,6 +2,7 @@
 #include "core/coarsen/target_ratio.h"
 
 #include "core/metric/expected_nodes.h"
+#include "core/metric/region_aspect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,10 @@ template <int D>
 double factor_for_ratio(const Mesh<D>& mesh, const MetricField<D>& natural, TargetOptions options,
                         double ratio) {
     const double nodes = expected_nodes(mesh, natural);
+    const IdVector<NodeId, float> regions = region_aspect_ratios(mesh, natural);
     const auto asks_for_more = [&](double factor) {
         options.factor = factor;
-        return expected_nodes(mesh, target_metric(mesh, natural, options)) > nodes / ratio;
+        return expected_nodes(mesh, target_metric(mesh, natural, regions, options)) > nodes / ratio;
     };
     double low = 1;
     double high = largest_factor;

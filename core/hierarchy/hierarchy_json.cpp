@@ -53,6 +53,7 @@ Json settings_json(const Hierarchy& h) {
             {"target_ratio", h.options.target_ratio},
             {"until_isotropic", h.options.until_isotropic},
             {"slack", o.target.slack},
+            {"isotropic_below", o.target.isotropic_below},
             {"algorithm", name(o.target.algorithm)},
             {"gradation", o.target.gradation},
             {"surface_deviation", o.removal.surface.relative_distance},
@@ -86,6 +87,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("target_ratio").get_to(h.options.target_ratio);
     json.at("until_isotropic").get_to(h.options.until_isotropic);
     json.at("slack").get_to(o.target.slack);
+    json.at("isotropic_below").get_to(o.target.isotropic_below);
     o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());
     json.at("gradation").get_to(o.target.gradation);
     json.at("surface_deviation").get_to(o.removal.surface.relative_distance);

@@ -3,6 +3,7 @@
 /// Means of metrics that come from sums: what one metric adds, and what is made of the sums.
 #pragma once
 
+#include "core/base/smooth_fall.h"
 #include "core/metric/means.h"
 #include "core/metric/symmetric_eigen.h"
 
@@ -82,7 +83,7 @@ template <int D>
         if (gap >= 1) {
             continue;
         }
-        const double weight = (1 - gap) * (1 - gap) * (1 + 2 * gap);
+        const double weight = smooth_fall(gap);
         const double drawn =
             other > k ? std::min(own[k], sorted[other]) : std::max(own[k], sorted[other]);
         sizes[k] *= std::pow(drawn / sorted[k], weight);

@@ -14,6 +14,8 @@ std::string_view name(CoarseOperator kind) {
         return "galerkin";
     case CoarseOperator::stiffened:
         return "stiffened";
+    case CoarseOperator::local_galerkin:
+        return "local-galerkin";
     }
     return "";
 }

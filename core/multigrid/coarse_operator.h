@@ -5,6 +5,7 @@
 
 #include "core/multigrid/sparse.h"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -13,8 +14,13 @@ namespace ameco {
 enum class CoarseOperator : std::uint8_t {
     rediscretised, ///< finite elements on the coarse mesh: sparse, but may be too soft
     galerkin,      ///< P^T A P: never too soft, but denser from level to level
-    stiffened      ///< rediscretised, made stiffer where P^T A P says it is too soft
+    stiffened,     ///< rediscretised, made stiffer where P^T A P says it is too soft
+    local_galerkin ///< rediscretised, but P^T A P where that is too soft (local_galerkin.h)
 };
+
+inline constexpr std::array all_coarse_operators{
+    CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::local_galerkin,
+    CoarseOperator::galerkin};
 
 [[nodiscard]] std::string_view name(CoarseOperator kind);
 

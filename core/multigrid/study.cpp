@@ -2,6 +2,7 @@
 #include "core/multigrid/study.h"
 
 #include "core/base/stopwatch.h"
+#include "core/multigrid/local_galerkin.h"
 #include "core/multigrid/random_vector.h"
 
 #include <cmath>
@@ -50,6 +51,8 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                 A = galerkin_product(finer, transfers[k - 1].P);
             } else if (kind == CoarseOperator::stiffened) {
                 A = stiffened(A, ratios);
+            } else if (kind == CoarseOperator::local_galerkin) {
+                A = local_galerkin(meshes[k - 1], meshes[k], transfers[k - 1].P, ratios, problem);
             }
         }
         if (kind == CoarseOperator::galerkin) {

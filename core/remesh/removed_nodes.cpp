@@ -53,15 +53,25 @@ double interpolation_constant(const Couplings& couplings, NodeId v, std::span<co
 }
 
 template <int D>
-IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
-                                             const MetricField<D>& target,
-                                             const InterpolationBound& bound) {
-    IdVector<NodeId, float> bounds(natural.size());
+IdVector<NodeId, float> coarsened_directions(const MetricField<D>& natural,
+                                             const MetricField<D>& target) {
+    IdVector<NodeId, float> directions(natural.size());
     for (const NodeId v : natural.ids()) {
-        const double directions =
-            (target[v].sizes.array() / natural[v].sizes.array()).log().sum() / std::log(2.0);
-        bounds[v] =
-            static_cast<float>(bound.layer + bound.per_direction * std::max(directions - 1, 0.0));
+        const Vec<D> growth = target[v].sizes.cwiseQuotient(natural[v].sizes);
+        directions[v] = static_cast<float>(std::log2(growth.prod()));
+    }
+    return directions;
+}
+
+template <int D>
+IdVector<NodeId, float> interpolation_bounds(const IdVector<NodeId, float>& directions,
+                                             const InterpolationBound& bound) {
+    IdVector<NodeId, float> bounds(directions.size());
+    for (const NodeId v : directions.ids()) {
+        const double further = std::max(static_cast<double>(directions[v]) - 1, 0.0);
+        const double t = isotropy<D>(directions[v]);
+        bounds[v] = static_cast<float>(bound.layer + bound.per_direction * further +
+                                       bound.isotropic * t * t);
     }
     return bounds;
 }
@@ -142,8 +152,10 @@ auto RemovedNodes<D>::locate(const EditMesh<D>& mesh, const Star<D>& star, NodeI
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
-    template IdVector<NodeId, float> interpolation_bounds(                                         \
-        const MetricField<D>&, const MetricField<D>&, const InterpolationBound&);                  \
+    template IdVector<NodeId, float> coarsened_directions(const MetricField<D>&,                   \
+                                                          const MetricField<D>&);                  \
+    template IdVector<NodeId, float> interpolation_bounds<D>(const IdVector<NodeId, float>&,       \
+                                                             const InterpolationBound&);           \
     template class RemovedNodes<D>;
 
 AMECO_INSTANTIATE(2)

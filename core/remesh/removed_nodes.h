@@ -6,6 +6,7 @@
 #include "core/remesh/cavity.h"
 #include "core/remesh/couplings.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -24,19 +25,32 @@ namespace ameco {
                                             std::span<const NodeId> nodes,
                                             std::span<const double> weights);
 
+/// In how many directions each node is to be coarsened, n = sum log2(h'_i / h_i): 1 in a layer, D
+/// where all sizes double.
+template <int D>
+[[nodiscard]] IdVector<NodeId, float> coarsened_directions(const MetricField<D>& natural,
+                                                           const MetricField<D>& target);
+
+/// 0 where one direction or none is coarsened, 1 where all are: (n - 1) / (D - 1).
+template <int D>
+[[nodiscard]] double isotropy(float directions) {
+    return std::clamp((static_cast<double>(directions) - 1) / (D - 1), 0.0, 1.0);
+}
+
 /// How large the interpolation constant of a removed node may become. It grows with the number of
-/// directions that are coarsened, n = sum log2(h'_i / h_i): 2 in an ideal layer (n = 1), above 4 in
-/// isotropic meshes (n = D).
+/// directions that are coarsened: 2 in an ideal layer (n = 1), above 4 in isotropic meshes (n = D).
+/// There a node whose neighbours all leave is reached over three couplings, which K overstates:
+/// least conductances count in full, though many ways run side by side.
 struct InterpolationBound {
     double layer = 5;         ///< bound where one direction is coarsened [-]
     double per_direction = 6; ///< added for each further one [-]
+    double isotropic = 30;    ///< added times the square of the isotropy [-]
 };
 
 /// The bound of each node.
 template <int D>
-[[nodiscard]] IdVector<NodeId, float> interpolation_bounds(const MetricField<D>& natural,
-                                                           const MetricField<D>& target,
-                                                           const InterpolationBound& bound);
+[[nodiscard]] IdVector<NodeId, float>
+interpolation_bounds(const IdVector<NodeId, float>& directions, const InterpolationBound& bound);
 
 /// The removed nodes, each in the element that holds it, carried along as the mesh is edited.
 ///

@@ -114,7 +114,7 @@ Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity, double s
     const double moved =
         std::max(one_sided_distance<D>(before, after), one_sided_distance<D>(after, before));
     if (moved > rules.layer_share * short_size ||
-        deviation + moved > rules.relative_distance * mean_edge<D>(before)) {
+        deviation + moved > rules.relative_distance * mean_edge<D>(after)) {
         return Verdict::surface_distance;
     }
     for (EditElement<D>& e : star.elements) {

@@ -79,7 +79,7 @@ void MultigridRunTest::every_method_converges_data() {
     for (const char* smoother : {"jacobi", "gauss-seidel", "chebyshev", "line"}) {
         QTest::newRow(smoother) << QStringList{"--smoother", smoother} << 16;
     }
-    for (const char* kind : {"rediscretised", "stiffened", "galerkin"}) {
+    for (const char* kind : {"rediscretised", "stiffened", "local-galerkin", "galerkin"}) {
         QTest::newRow(kind) << QStringList{"--operator", kind} << 8;
     }
     QTest::newRow("V(2,2)") << QStringList{"--steps", "2"} << 6;

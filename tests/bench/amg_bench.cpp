@@ -192,8 +192,7 @@ void run_boomer(const SparseMatrix& A, const Vector& load) {
 
 template <int D>
 void run_ours(const grids::Grids<D>& g, const Vector& load, double assembly_seconds) {
-    for (const CoarseOperator kind :
-         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+    for (const CoarseOperator kind : all_coarse_operators) {
         Stopwatch watch;
         const LevelEquations equations =
             level_equations(g.meshes, g.transfers, ModelProblem<D>(), kind);

@@ -188,6 +188,7 @@ void means() {
             CoarsenOptions options;
             options.mean = mean;
             options.target.slack = slack;
+            options.target.isotropic_below = 1; // the paper's Algorithm 1
             char what[64];
             std::snprintf(what, sizeof what, "%s, slack %.2f", name(mean).data(), slack);
             print_levels(what, finest_level(mesh, options), options, 4);

@@ -151,8 +151,7 @@ void print_cycle(const LevelEquations& equations, const Vector& load, const Cycl
 
 template <int D>
 void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) {
-    for (const CoarseOperator kind :
-         {CoarseOperator::rediscretised, CoarseOperator::stiffened, CoarseOperator::galerkin}) {
+    for (const CoarseOperator kind : all_coarse_operators) {
         LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
         for (std::size_t k = 0; k < g.meshes.size(); ++k) {
             equations.matrices.lines.push_back(
@@ -232,6 +231,11 @@ int main(int argc, char** argv) {
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},
+        {"isotropic-below", &coarsening.target.isotropic_below},
+        {"isotropic-coupling", &coarsening.removal.isotropic_coupling},
+        {"isotropic-bound", &coarsening.removal.interpolation.isotropic},
+        {"crowded", &coarsening.removal.crowded},
+        {"deviation", &coarsening.removal.surface.relative_distance},
         {"layer-bound", &coarsening.removal.interpolation.layer},
         {"direction-bound", &coarsening.removal.interpolation.per_direction}};
     for (int i = 1; i < argc; ++i) {

@@ -21,7 +21,8 @@ struct Setting {
           front(front_order(m, natural, couplings.neighbours)),
           lines(find_lines(m, couplings, front.key)), lines_before(lines),
           target(target_metric(m, natural)), edited(m, classify_geometry(m)),
-          removed(couplings, interpolation_bounds(natural, target, {})), state(m.points.size()) {
+          directions(coarsened_directions(natural, target)),
+          removed(couplings, interpolation_bounds<D>(directions, {})), state(m.points.size()) {
         sizes = make_size_field(target);
         for (const NodeId v : m.points.ids()) {
             natural_factor.push_back(length_factor(natural[v]));
@@ -37,7 +38,8 @@ struct Setting {
     }
 
     [[nodiscard]] RemovalInput<D> input() {
-        return {front.order, couplings, sizes, natural_factor, target_factor, short_size, removed};
+        return {front.order,   couplings,  sizes,      natural_factor,
+                target_factor, short_size, directions, removed};
     }
 
     const Mesh<D>& mesh;
@@ -51,6 +53,7 @@ struct Setting {
     IdVector<NodeId, Mat<D>> natural_factor, target_factor;
     IdVector<NodeId, float> short_size;
     EditMesh<D> edited;
+    IdVector<NodeId, float> directions;
     RemovedNodes<D> removed;
     RemovalState state;
     VerdictCounts verdicts;
@@ -108,6 +111,7 @@ private slots:
     void no_gap_of_a_line_loses_two_nodes();
     void removed_nodes_keep_a_part_of_their_stencil();
     void later_passes_remove_more();
+    void later_passes_leave_nodes_whose_neighbours_are_far_already();
     void every_refusal_is_counted();
     void corners_stay();
 };
@@ -135,6 +139,7 @@ void RemovalTest::removed_nodes_keep_a_part_of_their_stencil() {
     Setting<3> s(mesh);
     RemovalOptions options;
     options.coupling_bound = 0.6;
+    options.isotropic_coupling = 0;
     remove_first_pass(s.edited, s.lines, s.state, s.input(), options, s.verdicts,
                       Monitor::silent());
     remove_again(s.edited, s.lines, s.state, s.input(), options, s.verdicts, Monitor::silent());
@@ -155,6 +160,22 @@ void RemovalTest::later_passes_remove_more() {
     const std::int64_t first = s.verdicts[Verdict::accepted];
     remove_again(s.edited, s.lines, s.state, s.input(), {}, s.verdicts, Monitor::silent());
     QVERIFY(s.verdicts[Verdict::accepted] > first);
+}
+
+void RemovalTest::later_passes_leave_nodes_whose_neighbours_are_far_already() {
+    const Mesh<3> mesh = isotropic_cube();
+    std::int64_t removed[2];
+    for (const bool any : {false, true}) {
+        Setting<3> s(mesh);
+        RemovalOptions options;
+        options.crowded = any ? 1e9 : 0.8;
+        options.crowded_layer = 0;
+        remove_first_pass(s.edited, s.lines, s.state, s.input(), options, s.verdicts,
+                          Monitor::silent());
+        remove_again(s.edited, s.lines, s.state, s.input(), options, s.verdicts, Monitor::silent());
+        removed[any ? 1 : 0] = s.verdicts[Verdict::accepted];
+    }
+    QVERIFY(removed[0] < removed[1]);
 }
 
 void RemovalTest::every_refusal_is_counted() {

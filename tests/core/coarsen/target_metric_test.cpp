@@ -16,7 +16,7 @@ Q_DECLARE_METATYPE(Vec<3>)
 
 namespace {
 
-constexpr TargetOptions paper{.factor = 2, .slack = 1};
+constexpr TargetOptions paper{.factor = 2, .slack = 1, .isotropic_below = 1};
 
 /// Nodes 0 to 3 in the triangles 0 1 2 and 1 3 2.
 Mesh<2> two_triangles() {
@@ -49,6 +49,8 @@ private slots:
     void scales_with_the_sizes();
     void works_in_two_dimensions();
     void keeps_the_directions();
+    void isotropic_regions_double_whatever_their_nodes_look_like();
+    void the_slack_of_a_region_falls_from_the_factor_to_what_was_asked_for();
     void algorithms_have_names();
     void maca_keeps_isotropic_nodes_beside_a_layer();
     void maca_to_the_letter_needs_equal_sizes_and_a_smaller_number();
@@ -133,6 +135,45 @@ void TargetMetricTest::keeps_the_directions() {
     for (const NodeId i : natural.ids()) {
         QVERIFY(target[i].directions == natural[i].directions);
         QVERIFY((target[i].sizes == coarsened_sizes<3>(natural[i].sizes, paper)));
+    }
+}
+
+void TargetMetricTest::isotropic_regions_double_whatever_their_nodes_look_like() {
+    // Sizes 1 and 1.5, the long one across that of the neighbours: a round region.
+    const Mesh<2> mesh = strip(12);
+    MetricField<2> natural(mesh.points.size());
+    for (const NodeId i : natural.ids()) {
+        natural[i].sizes = Vec<2>(1, 1.5);
+        if (i.index() % 2 == 1) {
+            natural[i].directions << 0, -1, 1, 0;
+        }
+    }
+    const NodeId inside(static_cast<std::size_t>(4 * 6 + 1));
+    const MetricField<2> target = target_metric<2>(mesh, natural, {});
+    QCOMPARE_GE(target[inside].sizes[1], 2.9);
+    const MetricField<2> by_the_paper = target_metric<2>(mesh, natural, paper);
+    QVERIFY(by_the_paper[inside].sizes == Vec<2>(2, 2));
+    // All the same way round it is stretched on purpose.
+    for (const NodeId i : natural.ids()) {
+        natural[i].directions.setIdentity();
+    }
+    const MetricField<2> stretched =
+        target_metric<2>(mesh, natural, {.factor = 2, .slack = 1, .isotropic_below = 1.4});
+    QVERIFY(stretched[inside].sizes == Vec<2>(2, 2));
+}
+
+void TargetMetricTest::the_slack_of_a_region_falls_from_the_factor_to_what_was_asked_for() {
+    const TargetOptions options{.factor = 2, .slack = 1.1, .isotropic_below = 1.6};
+    QCOMPARE(slack_in_region(1, options), 2.0);
+    QCOMPARE(slack_in_region(std::sqrt(1.6), options), std::sqrt(2.0)); // half the way: half of w
+    QCOMPARE(slack_in_region(1.6, options), 1.1);
+    QCOMPARE(slack_in_region(1e6, options), 1.1);
+    QCOMPARE(slack_in_region(1, paper), 1.0);
+    double before = 2;
+    for (double r = 1; r < 2; r += 0.01) {
+        const double slack = slack_in_region(r, options);
+        QVERIFY(slack <= before);
+        before = slack;
     }
 }
 

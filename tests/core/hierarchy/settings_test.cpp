@@ -23,7 +23,7 @@ void SettingsTest::each_setting_takes_its_own_value_back() {
     unusual.until_isotropic = true;
     unusual.target_ratio = 1.9;
     unusual.coarsen.mean = Mean::geodesic;
-    unusual.coarsen.target = {3, 1.5, TargetAlgorithm::graded, 1.3};
+    unusual.coarsen.target = {3, 1.5, 2.5, TargetAlgorithm::graded, 1.3};
     unusual.coarsen.removal.surface.relative_distance = 0.01;
     unusual.coarsen.features.ridge_angle_deg = 33;
     HierarchyOptions other;

@@ -108,9 +108,9 @@ void RemovedNodesTest::every_removed_node_stays_well_interpolated() {
     const Level<3> coarse = coarsen(fine, options, report);
     const Transfer transfer = make_transfer(fine.mesh, coarse.mesh, coarse.parent);
     const LevelStructure structure = level_structure(fine.mesh);
-    const auto bounds =
-        interpolation_bounds(fine.natural, target_metric(fine.mesh, fine.natural, options.target),
-                             options.removal.interpolation);
+    const auto bounds = interpolation_bounds<3>(
+        coarsened_directions(fine.natural, target_metric(fine.mesh, fine.natural, options.target)),
+        options.removal.interpolation);
     int looked_at = 0;
     for (const NodeId v : fine.mesh.points.ids()) {
         if (transfer.kind[v] == TransferKind::nested ||
@@ -131,12 +131,13 @@ void RemovedNodesTest::the_bound_grows_with_the_directions_that_are_coarsened() 
     natural[NodeId(0)].sizes = {1, 1, 1};
     const auto bound = [&](double a, double b, double c) {
         target[NodeId(0)].sizes = {a, b, c};
-        return interpolation_bounds(natural, target, {5, 6})[NodeId(0)];
+        return interpolation_bounds<3>(coarsened_directions(natural, target),
+                                       {5, 6, 20})[NodeId(0)];
     };
     QCOMPARE(bound(1, 1, 1), 5.0f);
     QCOMPARE(bound(2, 1, 1), 5.0f);
-    QCOMPARE(bound(2, 2, 1), 11.0f);
-    QCOMPARE(bound(2, 2, 2), 17.0f);
+    QCOMPARE(bound(2, 2, 1), 16.0f);
+    QCOMPARE(bound(2, 2, 2), 37.0f);
 }
 
 QTEST_APPLESS_MAIN(RemovedNodesTest)

@@ -231,7 +231,7 @@ void SurfaceRulesTest::refuses_turns_above_the_limit() {
 
 void SurfaceRulesTest::refuses_distances_above_the_limits() {
     const double sagitta = 1 - std::cos(std::numbers::pi / 6);
-    const double edge = 2 * std::sin(std::numbers::pi / 12);
+    const double edge = 2 * std::sin(std::numbers::pi / 6); // the new side
     float after = 0;
     SurfaceRules rules = everything;
     rules.relative_distance = 0.999 * sagitta / edge;
