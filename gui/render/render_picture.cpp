@@ -3,6 +3,7 @@
 
 #include "gui/bridge/headless_gl.h"
 #include "gui/scene/mesh_scene.h"
+#include "gui/scene/scene_values.h"
 
 #include <Eigen/Geometry>
 
@@ -52,6 +53,25 @@ Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
         }
     }
     return scenes;
+}
+
+/// The same colours mean the same in all panels; the last one has the legend.
+void share_range(const Scenes& scenes) {
+    std::optional<Range> all;
+    for (const auto& scene : scenes) {
+        scene->prepare();
+        if (const auto range = scene->shown_range()) {
+            all = all ? Range{std::min(all->first, range->first),
+                              std::max(all->second, range->second)}
+                      : *range;
+        }
+    }
+    for (const auto& scene : scenes) {
+        SceneOptions options = scene->options();
+        options.range = all;
+        options.legend = options.legend && scene == scenes.back();
+        scene->set_options(options);
+    }
 }
 
 /// The camera of the first panel, which all of them have.
@@ -130,6 +150,11 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
         const double left = static_cast<double>(k) * share;
         scenes[k]->attach(gl.window(), {left, 0, k + 1 == scenes.size() ? 1 : left + share, 1});
     }
+    const double pixel_ratio = finer * job.text_scale;
+    share_range(scenes);
+    for (const auto& scene : scenes) {
+        scene->prepare(pixel_ratio);
+    }
     const Camera camera = look(*scenes.front(), job.look);
     if (job.node && job.node->index() >= scenes.front()->data()->node_count) {
         throw Error(ExitCode::usage,
@@ -142,7 +167,7 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
         if (job.node) {
             scene->mark(nearest_node(*scene->data(), scenes.front()->data()->position(*job.node)));
         }
-        scene->prepare(finer * job.text_scale);
+        scene->prepare(pixel_ratio);
         result.triangles += scene->shown_triangles();
         result.ellipsoids += scene->shown_ellipsoids();
     }

@@ -1,48 +1,62 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gui/scene/mesh_scene.h"
 
-#include "gui/bridge/to_vtk.h"
-#include "gui/scene/colour_map.h"
-#include "gui/scene/view_transform.h"
-#include "gui/scene/visible_surface.h"
-
-#include <Eigen/Geometry>
-
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkOpenGLPolyDataMapper.h>
-#include <vtkOpenGLVertexBufferObject.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include "gui/scene/legend.h"
+#include "gui/scene/metric_glyphs.h"
+#include "gui/scene/overlay.h"
+#include "gui/scene/scene_actor.h"
+#include "gui/scene/scene_values.h"
+#include "gui/scene/view_frame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <vtkCamera.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 namespace ameco::gui {
 namespace {
 
-/// The camera's axes in the scaled view, orthonormal.
-struct ViewAxes {
-    Vec3 right, up, sight;
-};
+constexpr double text_size = 14;     ///< [units of prepare's pixel ratio]
+constexpr double handle_length = 90; ///< of the clip plane's handle [the same]
 
-ViewAxes axes_of(const Camera& camera) {
-    ViewAxes axes;
-    axes.sight = camera.sight.normalized();
-    axes.right = axes.sight.cross(camera.up).normalized();
-    axes.up = axes.right.cross(axes.sight);
-    return axes;
+/// Beyond so many heights of the view in front and behind, nothing is drawn: the depths of the rest
+/// are then told apart well.
+constexpr double most_depth = 2000;
+/// The anchor of the transform follows the camera when it is so many heights away: single
+/// precision then places points to 1/100 of a pixel.
+constexpr double most_anchor_distance = 100;
+
+/// While the mouse drags, meshes beyond these sizes are drawn without edges, or without what a clip
+/// plane lays open.
+constexpr std::size_t many_polygons = 400'000;
+constexpr std::size_t many_elements = 1'500'000;
+
+constexpr Rgb highlight_colour{235, 20, 120};
+constexpr Rgb mark_colour{235, 20, 120};
+constexpr Rgb natural_colour{238, 118, 52};
+constexpr Rgb target_colour{40, 140, 190};
+constexpr Rgb light_background{255, 255, 255};
+constexpr Rgb dark_background{30, 33, 40};
+constexpr Rgb light_ink{25, 27, 32};
+constexpr Rgb dark_ink{232, 234, 238};
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+void set_background(vtkRenderer* renderer, const Rgb& colour, bool transparent) {
+    renderer->SetBackground(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+    renderer->SetBackgroundAlpha(transparent ? 0 : 1);
 }
 
 } // namespace
@@ -51,66 +65,183 @@ class MeshScene::Impl {
 public:
     Impl();
 
-    void rebuild_surface();
-    void place_points();
-    void place_camera();
-
-    [[nodiscard]] std::array<double, 4> pixels() const; ///< left, bottom, width, height
+    void show(vtkRenderWindow* to, const Viewport& where);
+    void clear_actors();
+    [[nodiscard]] std::string scale_text() const;
+    void bring_up_to_date(double pixel_ratio);
+    void fit();
+    [[nodiscard]] ViewFrame frame() const;
+    [[nodiscard]] Range scale_range() const;
 
     std::shared_ptr<const SceneData> data;
     SceneOptions options;
     Camera camera;
+    std::vector<NodeId> highlighted;
+    std::optional<NodeId> marked;
+    std::string caption;
+    bool transparent = false;
+    bool interactive = false;
+    bool simplified = false; ///< what a clip plane lays open is left out for the time being
+    bool handles = false;
+
+    // What has to be made anew before the next picture. Each asks for those after it.
+    bool surface_old = true, places_old = true, colours_old = true;
+    bool glyphs_old = true, points_old = true;
+    bool fit_wanted = false;
+
     std::unique_ptr<SurfaceExtractor> extractor;
     const VisibleSurface* surface = nullptr;
     ViewTransform transform;
     std::vector<Vec3> places; ///< of the surface's points, in the scaled view from the anchor
-    bool surface_old = true;
-    bool places_old = true;
-    bool transparent = false;
-    std::string caption;
-    std::vector<NodeId> highlighted;
-    std::optional<NodeId> marked;
+    std::size_t ellipsoids = 0;
+    std::optional<Range> data_range;
+    ColourBy data_range_of = ColourBy::none;
 
     vtkRenderWindow* window = nullptr;
-    Viewport viewport;
+    double pixel_ratio = 1;
+
     vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkPolyData> polygons;
-    vtkNew<vtkOpenGLPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+
+private:
+    void rebuild_surface();
+    void place_points();
+    void colour_surface();
+    void build_glyphs();
+    void build_points();
+    void place_camera();
+    void set_appearance();
+    [[nodiscard]] bool is_anchor_far() const;
+    [[nodiscard]] bool is_clipped_away(NodeId node) const;
+    [[nodiscard]] Area whole_area() const;
+    [[nodiscard]] Area main_area() const;
+    void lay_out();
+    [[nodiscard]] Legend legend() const;
+    void draw_overlay();
+    void draw_handle(const ViewFrame& view);
+
+    Viewport viewport_;
+    vtkNew<vtkRenderer> margin_; ///< behind the legend
+    vtkNew<vtkRenderer> over_;   ///< over everything, the whole viewport
+    double legend_width_ = 0;    ///< [device pixels]
+    SceneActor surface_actor_;
+    SceneActor lines_actor_; ///< boundary of a 2-D mesh
+    SceneActor dots_actor_;  ///< nodes that go on some level
+    SceneActor highlight_actor_;
+    SceneActor glyph_actor_;
+    Overlay overlay_;
 };
 
 MeshScene::Impl::Impl() {
-    mapper->SetInputData(polygons);
-    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetDiffuse(0.65);
-    actor->GetProperty()->SetEdgeColor(0.15, 0.16, 0.2);
-    renderer->AddActor(actor);
     renderer->GetActiveCamera()->ParallelProjectionOn();
+    for (const SceneActor* part :
+         {&surface_actor_, &lines_actor_, &dots_actor_, &highlight_actor_, &glyph_actor_}) {
+        renderer->AddActor(part->actor());
+    }
+    vtkProperty* const surface_property = surface_actor_.actor()->GetProperty();
+    surface_property->SetAmbient(0.42);
+    surface_property->SetDiffuse(0.62);
+    surface_property->SetEdgeColor(0.13, 0.14, 0.17);
+    vtkProperty* const glyph_property = glyph_actor_.actor()->GetProperty();
+    glyph_property->SetInterpolationToPhong();
+    glyph_property->SetAmbient(0.3);
+    glyph_property->SetDiffuse(0.7);
+    glyph_property->SetSpecular(0.25);
+    glyph_property->SetSpecularPower(20);
+    for (const SceneActor* flat : {&lines_actor_, &dots_actor_, &highlight_actor_}) {
+        flat->actor()->GetProperty()->LightingOff();
+    }
+    highlight_actor_.actor()->GetProperty()->RenderPointsAsSpheresOn();
+    dots_actor_.actor()->GetProperty()->RenderPointsAsSpheresOn();
+    highlight_actor_.colour_all(highlight_colour);
+    over_->SetLayer(1);
+    over_->InteractiveOff();
+    overlay_.show_in(over_);
+}
+
+void MeshScene::Impl::show(vtkRenderWindow* to, const Viewport& where) {
+    if (window != nullptr) {
+        window->RemoveRenderer(renderer);
+        window->RemoveRenderer(margin_);
+        window->RemoveRenderer(over_);
+    }
+    window = to;
+    viewport_ = where;
+    if (window != nullptr) {
+        window->SetNumberOfLayers(2);
+        window->AddRenderer(renderer);
+        window->AddRenderer(margin_);
+        window->AddRenderer(over_);
+    }
+}
+
+void MeshScene::Impl::clear_actors() {
+    for (SceneActor* part :
+         {&surface_actor_, &lines_actor_, &dots_actor_, &highlight_actor_, &glyph_actor_}) {
+        part->clear();
+    }
+    ellipsoids = 0;
+}
+
+Area MeshScene::Impl::whole_area() const {
+    if (window == nullptr) {
+        return {0, 0, 0, 0};
+    }
+    const int* const size = window->GetSize();
+    return {viewport_.left * size[0], viewport_.bottom * size[1],
+            (viewport_.right - viewport_.left) * size[0],
+            (viewport_.top - viewport_.bottom) * size[1]};
+}
+
+Area MeshScene::Impl::main_area() const {
+    Area area = whole_area();
+    area.width -= legend_width_;
+    return area;
+}
+
+ViewFrame MeshScene::Impl::frame() const {
+    return make_view_frame(camera, transform, main_area());
+}
+
+Range MeshScene::Impl::scale_range() const {
+    return options.range.value_or(data_range.value_or(Range{0, 1}));
+}
+
+bool MeshScene::Impl::is_anchor_far() const {
+    const Vec3 way = transform.A * (camera.focus - transform.anchor);
+    return way.norm() > most_anchor_distance * camera.height;
+}
+
+bool MeshScene::Impl::is_clipped_away(NodeId node) const {
+    if (!options.clip.enabled) {
+        return false;
+    }
+    const double offset =
+        (data->position(node) - options.clip.origin).dot(options.clip.normal.normalized());
+    return options.clip.keep_other_side ? offset < 0 : offset > 0;
 }
 
 void MeshScene::Impl::rebuild_surface() {
     surface_old = false;
-    places_old = true;
-    surface = &extractor->extract(options.clip, options.hidden_patches);
-    polygons->SetPolys(to_vtk(surface->polygons));
-    std::vector<Rgb> colours;
-    colours.reserve(surface->polygons.size());
-    for (const FaceId face : surface->faces) {
-        if (!face.valid()) {
-            colours.push_back(inside_colour);
-            continue;
+    places_old = colours_old = true;
+    simplified = interactive && simplified && data->element_count > many_elements;
+    surface = &extractor->extract(options.clip, options.hidden_patches, simplified);
+    surface_actor_.clear();
+    surface_actor_.set_polygons(surface->polygons);
+    lines_actor_.clear();
+    if (!surface->lines.empty()) {
+        lines_actor_.set_lines(surface->lines);
+        std::vector<Rgb> colours;
+        for (const int patch : surface->line_patch) {
+            const bool by_patch = options.colour == ColourBy::patch;
+            colours.push_back(by_patch ? patch_colour(*data, patch) : light_ink);
         }
-        const int patch = data->triangle_patch[face.index()];
-        const auto at = std::lower_bound(data->patches.begin(), data->patches.end(), patch);
-        colours.push_back(category_colour(static_cast<std::size_t>(at - data->patches.begin())));
+        lines_actor_.colour_cells(colours);
     }
-    polygons->GetCellData()->SetScalars(to_vtk(colours));
 }
 
 void MeshScene::Impl::place_points() {
     places_old = false;
+    glyphs_old = points_old = true;
     transform = make_view_transform(options, camera.focus);
     places.clear();
     places.reserve(surface->point_count());
@@ -121,47 +252,313 @@ void MeshScene::Impl::place_points() {
         const Vec3 a = transform.forward(data->position(c.a));
         places.push_back(a + c.t * (transform.forward(data->position(c.b)) - a));
     }
-    std::vector<Float3> points;
-    points.reserve(places.size());
-    for (const Vec3& y : places) {
-        points.push_back(
-            {static_cast<float>(y[0]), static_cast<float>(y[1]), static_cast<float>(y[2])});
+    surface_actor_.set_points(places);
+    surface_actor_.set_flat_normals(surface->polygons, places);
+    if (!surface->lines.empty()) {
+        lines_actor_.set_points(places);
     }
-    std::vector<Float3> normals;
-    normals.reserve(surface->polygons.size());
-    for (const auto& p : surface->polygons) {
-        const Vec3& a = places[static_cast<std::size_t>(p[0])];
-        const Vec3 n = (places[static_cast<std::size_t>(p[1])] - a)
-                           .cross(places[static_cast<std::size_t>(p[2])] - a)
-                           .normalized();
-        normals.push_back(
-            {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
-    }
-    polygons->SetPoints(to_vtk_points(points));
-    polygons->GetCellData()->SetNormals(to_vtk(normals));
 }
 
-std::array<double, 4> MeshScene::Impl::pixels() const {
-    const int* const size = window->GetSize();
-    return {viewport.left * size[0], viewport.bottom * size[1],
-            (viewport.right - viewport.left) * size[0], (viewport.top - viewport.bottom) * size[1]};
+void MeshScene::Impl::colour_surface() {
+    colours_old = false;
+    if (options.colour != data_range_of) {
+        data_range_of = options.colour;
+        data_range.reset();
+        if (has_scale(options.colour)) {
+            data_range = range_of(*data, options.colour);
+        }
+    }
+    if (is_nodal(options.colour)) {
+        surface_actor_.colour_points_by_scale(
+            point_places(*data, *surface, options.colour, scale_range()));
+    } else {
+        surface_actor_.colour_cells(
+            polygon_colours(*data, *surface, options.colour, scale_range()));
+    }
+}
+
+void MeshScene::Impl::build_glyphs() {
+    glyphs_old = false;
+    ellipsoids = 0;
+    glyph_actor_.clear();
+    if (interactive && options.ellipsoids.where != EllipsoidOptions::Where::picked) {
+        return; // they come back when the mouse lets go
+    }
+    const auto nodes = ellipsoid_nodes(*data, *surface, options.clip, options.ellipsoids, marked);
+    if (nodes.empty()) {
+        return;
+    }
+    const auto balls = make_ellipsoids(*data, nodes, options.ellipsoids);
+    GlyphMesh mesh = glyph_mesh(*data, balls, transform);
+    if (data->dimension == 2) { // over the triangles, not in their plane
+        for (Vec3& point : mesh.points) {
+            point[2] += 1e-3 * camera.height;
+        }
+    }
+    ellipsoids = balls.size();
+    glyph_actor_.set_points(mesh.points);
+    glyph_actor_.set_normals(mesh.normals);
+    glyph_actor_.set_polygons(mesh.triangles);
+    glyph_actor_.colour_all(options.ellipsoids.source == EllipsoidSource::natural ? natural_colour
+                                                                                  : target_colour);
+    glyph_actor_.actor()->GetProperty()->SetOpacity(data->dimension == 2 ? 0.6 : 1);
+}
+
+void MeshScene::Impl::build_points() {
+    points_old = false;
+    highlight_actor_.clear();
+    std::vector<Vec3> at;
+    for (const NodeId i : highlighted) {
+        if (i.valid() && i.index() < data->node_count && !is_clipped_away(i)) {
+            at.push_back(transform.forward(data->position(i)));
+        }
+    }
+    if (!at.empty()) {
+        highlight_actor_.set_points(at);
+        highlight_actor_.set_vertices(at.size());
+    }
+    dots_actor_.clear();
+    const std::vector<int>& gone = data->removed_at();
+    if (options.colour == ColourBy::removed_at && !gone.empty()) {
+        std::vector<Rgb> colours;
+        for (const NodeId i : surface->nodes) {
+            colours.push_back(removal_colour(gone[i.index()]));
+        }
+        dots_actor_.set_points(
+            {places.begin(), places.begin() + static_cast<std::ptrdiff_t>(surface->nodes.size())});
+        dots_actor_.set_vertices(surface->nodes.size());
+        dots_actor_.colour_points(colours);
+    }
+}
+
+/// The walls fill the view, or whatever else is shown.
+void MeshScene::Impl::fit() {
+    const ViewFrame view = frame();
+    std::vector<std::uint8_t> counts(places.size(), data->outer.empty() ? 1 : 0);
+    for (std::size_t p = 0; p < surface->polygons.size() && !data->outer.empty(); ++p) {
+        const FaceId face = surface->faces[p];
+        if (face.valid() && !std::binary_search(data->outer.begin(), data->outer.end(),
+                                                data->triangle_patch[face.index()])) {
+            for (const std::int32_t corner : surface->polygons[p]) {
+                if (corner >= 0) {
+                    counts[static_cast<std::size_t>(corner)] = 1;
+                }
+            }
+        }
+    }
+    Eigen::AlignedBox2d box;
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = -nearest;
+    const auto add = [&](const Vec3& y) {
+        box.extend(Vec<2>(y.dot(view.right), y.dot(view.up)));
+        nearest = std::min(nearest, y.dot(view.sight));
+        farthest = std::max(farthest, y.dot(view.sight));
+    };
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (counts[k] != 0) {
+            add(places[k]);
+        }
+    }
+    for (int k = 0; k < 8 && box.isEmpty(); ++k) {
+        for (int c = 0; c < 8; ++c) {
+            add(transform.forward({(c & 1) != 0 ? data->focus_low[0] : data->focus_high[0],
+                                   (c & 2) != 0 ? data->focus_low[1] : data->focus_high[1],
+                                   (c & 4) != 0 ? data->focus_low[2] : data->focus_high[2]}));
+        }
+    }
+    const Area area = main_area();
+    const double wide = area.width > 0 ? box.sizes()[0] * area.height / area.width : 0;
+    const Vec<2> middle = box.center();
+    camera.focus = transform.backward(middle[0] * view.right + middle[1] * view.up +
+                                      (nearest + farthest) / 2 * view.sight);
+    camera.height = 1.15 * std::max({box.sizes()[1], wide, 1e-12 * (farthest - nearest), 1e-300});
 }
 
 void MeshScene::Impl::place_camera() {
-    const ViewAxes axes = axes_of(camera);
-    const Vec3 focus = transform.forward(camera.focus);
+    const ViewFrame view = frame();
     double depth = camera.height;
     for (const Vec3& y : places) {
-        depth = std::max(depth, std::abs((y - focus).dot(axes.sight)));
+        depth = std::max(depth, std::abs((y - view.focus).dot(view.sight)));
     }
-    depth = std::min(depth, 2000 * camera.height);
+    depth = std::min(depth, most_depth * camera.height);
     vtkCamera* const c = renderer->GetActiveCamera();
-    const Vec3 eye = focus - 1.1 * depth * axes.sight;
-    c->SetFocalPoint(focus.data());
+    const Vec3 eye = view.focus - 1.1 * depth * view.sight;
+    c->SetFocalPoint(view.focus.data());
     c->SetPosition(eye.data());
-    c->SetViewUp(axes.up.data());
+    c->SetViewUp(view.up.data());
     c->SetParallelScale(camera.height / 2);
     c->SetClippingRange(0.05 * depth, 2.15 * depth);
+}
+
+void MeshScene::Impl::set_appearance() {
+    const Rgb& background = options.dark ? dark_background : light_background;
+    set_background(renderer, background, transparent);
+    set_background(margin_, background, transparent);
+    const bool many = surface != nullptr && surface->polygons.size() > many_polygons;
+    const bool wire = options.representation == Representation::wireframe;
+    vtkProperty* const property = surface_actor_.actor()->GetProperty();
+    property->SetRepresentation(wire ? VTK_WIREFRAME : VTK_SURFACE);
+    property->SetLighting(!wire);
+    property->SetEdgeVisibility(options.representation == Representation::surface_with_edges &&
+                                !(interactive && many));
+    const auto width = static_cast<float>(std::max(1.0, pixel_ratio / 2));
+    property->SetLineWidth(width);
+    lines_actor_.actor()->GetProperty()->SetLineWidth(2.5F * static_cast<float>(pixel_ratio));
+    const auto dot = static_cast<float>(7 * pixel_ratio);
+    highlight_actor_.actor()->GetProperty()->SetPointSize(dot);
+    dots_actor_.actor()->GetProperty()->SetPointSize(dot);
+}
+
+Legend MeshScene::Impl::legend() const {
+    Legend legend;
+    if (!options.legend || data == nullptr) {
+        return legend;
+    }
+    legend.title = title(options.colour);
+    legend.colour = options.colour;
+    if (has_scale(options.colour)) {
+        legend.range = scale_range();
+    } else if (options.colour == ColourBy::patch) {
+        for (const int patch : data->patches) {
+            if (!options.hidden_patches.contains(patch)) {
+                legend.entries.push_back({patch_colour(*data, patch), data->patch_name(patch)});
+            }
+        }
+    } else if (options.colour == ColourBy::removed_at && !data->removed_at().empty()) {
+        const auto& gone = data->removed_at();
+        const int last = *std::max_element(gone.begin(), gone.end());
+        for (int level = 1; level <= last; ++level) {
+            if (std::find(gone.begin(), gone.end(), level) != gone.end()) {
+                legend.entries.push_back({removal_colour(level), "level " + std::to_string(level)});
+            }
+        }
+        legend.entries.push_back({removal_colour(0), "never"});
+    }
+    return legend;
+}
+
+/// Gives the legend its margin, and the mesh the rest.
+void MeshScene::Impl::lay_out() {
+    const Area whole = whole_area();
+    const double em = text_size * pixel_ratio;
+    const double wanted = std::ceil(legend_width(legend(), em));
+    legend_width_ = wanted <= 0.45 * whole.width ? wanted : 0;
+    const double split = whole.width > 0 ? viewport_.right - legend_width_ / whole.width *
+                                                                 (viewport_.right - viewport_.left)
+                                         : viewport_.right;
+    renderer->SetViewport(viewport_.left, viewport_.bottom, split, viewport_.top);
+    margin_->SetViewport(split, viewport_.bottom, viewport_.right, viewport_.top);
+    margin_->SetDraw(legend_width_ > 0);
+    over_->SetViewport(viewport_.left, viewport_.bottom, viewport_.right, viewport_.top);
+}
+
+void MeshScene::Impl::draw_handle(const ViewFrame& view) {
+    const double u = pixel_ratio;
+    const Area whole = whole_area();
+    HandleShape shape = handle_shape(options.clip, view, handle_length * u);
+    for (Pixel* p : {&shape.foot, &shape.tip}) {
+        (*p)[0] -= whole.left;
+        (*p)[1] -= whole.bottom;
+    }
+    const auto [foot, tip] = shape;
+    const double length = std::hypot(tip[0] - foot[0], tip[1] - foot[1]);
+    const double x = (tip[0] - foot[0]) / length;
+    const double y = (tip[1] - foot[1]) / length;
+    constexpr Rgb rim{255, 255, 255};
+    constexpr Rgb body{30, 110, 230};
+    overlay_.line(foot[0], foot[1], tip[0], tip[1], 7 * u, rim);
+    overlay_.line(foot[0], foot[1], tip[0], tip[1], 4 * u, body);
+    overlay_.circle(foot[0], foot[1], 4 * u, 5 * u, body);
+    overlay_.polygon({{tip[0] + 16 * u * x, tip[1] + 16 * u * y},
+                      {tip[0] - 8 * u * y, tip[1] + 8 * u * x},
+                      {tip[0] + 8 * u * y, tip[1] - 8 * u * x}},
+                     body);
+}
+
+void MeshScene::Impl::draw_overlay() {
+    const ViewFrame view = frame();
+    const Area whole = whole_area();
+    const Area area{0, 0, whole.width - legend_width_, whole.height};
+    const double em = text_size * pixel_ratio;
+    const Rgb& ink = options.dark ? dark_ink : light_ink;
+    overlay_.clear();
+    if (data != nullptr) {
+        if (legend_width_ > 0) {
+            draw_legend(overlay_, legend(), {area.width, 0, legend_width_, whole.height}, em, ink);
+        }
+        if (options.axes) {
+            draw_axes(overlay_, area, em, view.right, view.up, view.sight, data->dimension, ink);
+        }
+        if (options.scale_bar && !is_view_scaled(options) && area.width > 12 * em) {
+            draw_scale_bar(overlay_, area, em, view.units_per_pixel, ink);
+        }
+        const std::string& text = caption.empty() ? data->name() : caption;
+        overlay_.text(em, whole.height - 1.6 * em, text, 1.15 * em, ink, Align::left, true);
+        if (marked && marked->index() < data->node_count && !is_clipped_away(*marked)) {
+            const auto [x, y] = view.pixel_of(data->position(*marked));
+            overlay_.circle(x - whole.left, y - whole.bottom, 0.6 * em, 0.14 * em, mark_colour);
+        }
+        if (handles && options.clip.enabled) {
+            draw_handle(view);
+        }
+        if (is_view_scaled(options)) {
+            draw_warning(overlay_, area, em, scale_text());
+        }
+    }
+    if (viewport_.left > 0) {
+        overlay_.line(0, 0, 0, whole.height, 2 * pixel_ratio, {150, 153, 160});
+    }
+    overlay_.finish();
+}
+
+void MeshScene::Impl::bring_up_to_date(double ratio) {
+    pixel_ratio = ratio;
+    if (window == nullptr) {
+        return;
+    }
+    if (data != nullptr) {
+        if (surface_old) {
+            rebuild_surface();
+        }
+        if (colours_old) {
+            colour_surface();
+        }
+        lay_out();
+        if (places_old) {
+            place_points();
+        }
+        if (fit_wanted && main_area().height > 0) {
+            fit_wanted = false;
+            fit();
+        }
+        if (is_anchor_far()) {
+            place_points();
+        }
+        if (glyphs_old) {
+            build_glyphs();
+        }
+        if (points_old) {
+            build_points();
+        }
+        place_camera();
+    } else {
+        lay_out();
+    }
+    set_appearance();
+    draw_overlay();
+}
+
+std::string MeshScene::Impl::scale_text() const {
+    std::string text = "VIEW SCALED";
+    for (int k = 0; k < 3; ++k) {
+        if (options.view_scale[k] != 1) {
+            text += std::string("   ") + "xyz"[k] + " \u00d7 " + number(options.view_scale[k]);
+        }
+    }
+    if (options.lens.enabled && options.lens.factor != 1) {
+        text += "   wall normal \u00d7 " + number(options.lens.factor);
+    }
+    return text;
 }
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {}
@@ -171,15 +568,7 @@ MeshScene::~MeshScene() {
 }
 
 void MeshScene::attach(vtkRenderWindow* window, const Viewport& viewport) {
-    if (impl_->window != nullptr) {
-        impl_->window->RemoveRenderer(impl_->renderer);
-    }
-    impl_->window = window;
-    impl_->viewport = viewport;
-    if (window != nullptr) {
-        window->AddRenderer(impl_->renderer);
-        impl_->renderer->SetViewport(viewport.left, viewport.bottom, viewport.right, viewport.top);
-    }
+    impl_->show(window, viewport);
 }
 
 vtkRenderer* MeshScene::renderer() const {
@@ -187,19 +576,23 @@ vtkRenderer* MeshScene::renderer() const {
 }
 
 void MeshScene::set_data(std::shared_ptr<const SceneData> data) {
-    const bool first = impl_->data == nullptr;
-    impl_->data = std::move(data);
-    impl_->surface = nullptr;
-    impl_->extractor.reset();
-    impl_->surface_old = true;
-    if (impl_->data == nullptr) {
-        impl_->polygons->Initialize();
+    Impl& i = *impl_;
+    const bool first = i.data == nullptr;
+    i.surface = nullptr;
+    i.places.clear();
+    i.extractor.reset();
+    i.data = std::move(data);
+    i.surface_old = true;
+    i.data_range_of = ColourBy::none;
+    i.data_range.reset();
+    if (i.data == nullptr) {
+        i.clear_actors();
         return;
     }
-    impl_->extractor = std::make_unique<SurfaceExtractor>(impl_->data);
+    i.extractor = std::make_unique<SurfaceExtractor>(i.data);
     if (first) {
-        impl_->options.hidden_patches = patches_hidden_at_first(*impl_->data);
-        standard_view(impl_->data->dimension == 3 ? StandardView::corner : StandardView::plus_z);
+        i.options.hidden_patches.merge(patches_hidden_at_first(*i.data));
+        standard_view(i.data->dimension == 3 ? StandardView::corner : StandardView::plus_z);
     }
 }
 
@@ -212,8 +605,18 @@ void MeshScene::set_caption(const std::string& caption) {
 }
 
 void MeshScene::set_options(const SceneOptions& options) {
-    impl_->options = options;
-    impl_->surface_old = true;
+    Impl& i = *impl_;
+    const SceneOptions& old = i.options;
+    if (old.clip != options.clip && i.interactive) {
+        i.simplified = true;
+    }
+    i.surface_old |= old.clip != options.clip || old.hidden_patches != options.hidden_patches ||
+                     (old.colour == ColourBy::patch) != (options.colour == ColourBy::patch);
+    i.places_old |= old.view_scale != options.view_scale || !(old.lens == options.lens);
+    i.colours_old |= old.colour != options.colour || old.range != options.range;
+    i.glyphs_old |= !(old.ellipsoids == options.ellipsoids);
+    i.points_old |= old.colour != options.colour || old.clip != options.clip;
+    i.options = options;
 }
 
 const SceneOptions& MeshScene::options() const {
@@ -222,31 +625,55 @@ const SceneOptions& MeshScene::options() const {
 
 void MeshScene::highlight(std::vector<NodeId> nodes) {
     impl_->highlighted = std::move(nodes);
+    impl_->points_old = true;
 }
 
 void MeshScene::mark(std::optional<NodeId> node) {
     impl_->marked = node;
+    impl_->glyphs_old = true;
 }
 
-std::optional<Pick> MeshScene::pick(double, double) const {
-    return std::nullopt;
+std::optional<Pick> MeshScene::pick(double x, double y) const {
+    if (impl_->surface == nullptr || impl_->window == nullptr) {
+        return std::nullopt;
+    }
+    return pick_surface(*impl_->data, *impl_->surface, impl_->places, impl_->frame(), {x, y});
 }
 
 std::pair<double, double> MeshScene::pixel_of(const Vec3& position) const {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const Vec3 y = impl_->transform.A * (position - impl_->camera.focus);
-    const double scale = height / impl_->camera.height;
-    return {left + width / 2 + scale * y.dot(axes.right),
-            bottom + height / 2 + scale * y.dot(axes.up)};
+    const auto [x, y] = impl_->frame().pixel_of(position);
+    return {x, y};
 }
 
-std::optional<ClipHandle> MeshScene::clip_handle_at(double, double) const {
-    return std::nullopt;
+void MeshScene::set_handles(bool shown) {
+    impl_->handles = shown;
 }
 
-ClipPlane MeshScene::dragged_clip(ClipHandle, double, double, double, double) const {
-    return impl_->options.clip;
+std::optional<ClipHandle> MeshScene::clip_handle_at(double x, double y) const {
+    if (!impl_->handles || !impl_->options.clip.enabled || impl_->data == nullptr) {
+        return std::nullopt;
+    }
+    const double u = impl_->pixel_ratio;
+    const auto [foot, tip] = handle_shape(impl_->options.clip, impl_->frame(), handle_length * u);
+    if (std::hypot(x - tip[0], y - tip[1]) < 14 * u) {
+        return ClipHandle::turn;
+    }
+    const double dx = tip[0] - foot[0];
+    const double dy = tip[1] - foot[1];
+    const double t =
+        std::clamp(((x - foot[0]) * dx + (y - foot[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    return std::hypot(x - foot[0] - t * dx, y - foot[1] - t * dy) < 10 * u
+               ? std::optional(ClipHandle::shift)
+               : std::nullopt;
+}
+
+ClipPlane MeshScene::dragged_clip(ClipHandle handle, double from_x, double from_y, double to_x,
+                                  double to_y) const {
+    const ViewFrame view = impl_->frame();
+    const ClipPlane& clip = impl_->options.clip;
+    return handle == ClipHandle::shift ? shifted(clip, view, {from_x, from_y}, {to_x, to_y})
+                                       : turned(clip, view, {from_x, from_y}, {to_x, to_y},
+                                                handle_length * impl_->pixel_ratio);
 }
 
 Camera MeshScene::camera() const {
@@ -255,34 +682,14 @@ Camera MeshScene::camera() const {
 
 void MeshScene::set_camera(const Camera& camera) {
     impl_->camera = camera;
+    impl_->fit_wanted = false;
 }
 
 void MeshScene::reset_camera() {
-    if (impl_->data == nullptr) {
-        return;
+    impl_->fit_wanted = true;
+    if (impl_->data != nullptr) {
+        impl_->bring_up_to_date(impl_->pixel_ratio);
     }
-    const ViewTransform transform = make_view_transform(impl_->options, Vec3::Zero());
-    const Vec3 low = impl_->data->focus_low;
-    const Vec3 high = impl_->data->focus_high;
-    const ViewAxes axes = axes_of(impl_->camera);
-    double width = 0;
-    double height = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        Vec3 half = (high - low) / 2;
-        for (int k = 0; k < 3; ++k) {
-            half[k] *= (corner >> k & 1) != 0 ? 1 : -1;
-        }
-        const Vec3 y = transform.A * half;
-        width = std::max(width, 2 * std::abs(y.dot(axes.right)));
-        height = std::max(height, 2 * std::abs(y.dot(axes.up)));
-    }
-    double aspect = 1.5;
-    if (impl_->window != nullptr && impl_->window->GetSize()[1] > 0) {
-        const auto [left, bottom, pixel_width, pixel_height] = impl_->pixels();
-        aspect = pixel_width / pixel_height;
-    }
-    impl_->camera.focus = (low + high) / 2;
-    impl_->camera.height = 1.1 * std::max({height, width / aspect, 1e-300});
 }
 
 void MeshScene::standard_view(StandardView view) {
@@ -293,69 +700,61 @@ void MeshScene::standard_view(StandardView view) {
 }
 
 void MeshScene::turn(double dx, double dy) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const double full = std::numbers::pi / std::min(width, height);
+    const ViewFrame view = impl_->frame();
+    const double full =
+        std::numbers::pi / std::max(1.0, std::min(view.area.width, view.area.height));
     const Mat<3> rotation =
-        (Eigen::AngleAxisd(-dx * full, axes.up) * Eigen::AngleAxisd(dy * full, axes.right))
+        (Eigen::AngleAxisd(-dx * full, view.up) * Eigen::AngleAxisd(dy * full, view.right))
             .toRotationMatrix();
-    impl_->camera.sight = rotation * axes.sight;
-    impl_->camera.up = rotation * axes.up;
+    impl_->camera.sight = rotation * view.sight;
+    impl_->camera.up = rotation * view.up;
 }
 
 void MeshScene::shift(double dx, double dy) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const double scale = impl_->camera.height / height;
-    impl_->camera.focus -= make_view_transform(impl_->options, Vec3::Zero()).inverse *
-                           (scale * (dx * axes.right + dy * axes.up));
+    const ViewFrame view = impl_->frame();
+    impl_->camera.focus -=
+        make_view_transform(impl_->options, Vec3::Zero()).inverse * view.way(dx, dy);
 }
 
 void MeshScene::zoom_at(double x, double y, double factor) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const double dx = x - left - width / 2;
-    const double dy = y - bottom - height / 2;
+    const Area area = impl_->frame().area;
+    const double dx = x - area.left - area.width / 2;
+    const double dy = y - area.bottom - area.height / 2;
     shift(-dx, -dy);
     impl_->camera.height /= factor;
     shift(dx, dy);
 }
 
-void MeshScene::set_interactive(bool) {}
+void MeshScene::set_interactive(bool interactive) {
+    Impl& i = *impl_;
+    if (i.interactive == interactive) {
+        return;
+    }
+    i.interactive = interactive;
+    if (!interactive) {
+        i.surface_old |= i.simplified;
+        i.simplified = false;
+        i.glyphs_old = true;
+    }
+}
 
 void MeshScene::set_transparent(bool transparent) {
     impl_->transparent = transparent;
 }
 
-void MeshScene::prepare(double) {
-    if (impl_->options.dark) {
-        impl_->renderer->SetBackground(0.12, 0.13, 0.16);
-    } else {
-        impl_->renderer->SetBackground(1, 1, 1);
-    }
-    impl_->renderer->SetBackgroundAlpha(impl_->transparent ? 0 : 1);
-    auto* const property = impl_->actor->GetProperty();
-    property->SetEdgeVisibility(impl_->options.representation ==
-                                Representation::surface_with_edges);
-    property->SetRepresentation(
-        impl_->options.representation == Representation::wireframe ? VTK_WIREFRAME : VTK_SURFACE);
-    if (impl_->data == nullptr) {
-        return;
-    }
-    if (impl_->surface_old) {
-        impl_->rebuild_surface();
-    }
-    if (impl_->places_old) {
-        impl_->place_points();
-    }
-    impl_->place_camera();
+void MeshScene::prepare(double pixel_ratio) {
+    impl_->bring_up_to_date(pixel_ratio);
 }
 
 std::optional<std::pair<double, double>> MeshScene::shown_range() const {
-    return impl_->options.range;
+    if (!has_scale(impl_->options.colour)) {
+        return std::nullopt;
+    }
+    return impl_->scale_range();
 }
 
 std::string MeshScene::scale_label() const {
-    return is_view_scaled(impl_->options) ? "VIEW SCALED" : "";
+    return is_view_scaled(impl_->options) ? impl_->scale_text() : "";
 }
 
 std::size_t MeshScene::shown_triangles() const {
@@ -363,7 +762,7 @@ std::size_t MeshScene::shown_triangles() const {
 }
 
 std::size_t MeshScene::shown_ellipsoids() const {
-    return 0;
+    return impl_->ellipsoids;
 }
 
 } // namespace ameco::gui

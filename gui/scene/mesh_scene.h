@@ -62,6 +62,8 @@ public:
     /// Where a place is seen [device pixels of the window, y up].
     [[nodiscard]] std::pair<double, double> pixel_of(const Vec3& position) const;
 
+    /// Whether the clip plane has a handle to be dragged; off at first.
+    void set_handles(bool shown);
     [[nodiscard]] std::optional<ClipHandle> clip_handle_at(double x, double y) const;
     /// The clip plane after its handle was dragged from one pixel to another.
     [[nodiscard]] ClipPlane dragged_clip(ClipHandle handle, double from_x, double from_y,
