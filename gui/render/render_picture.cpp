@@ -13,6 +13,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ameco::gui {
@@ -55,6 +56,17 @@ Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
     return scenes;
 }
 
+/// Panels of the same size, the last one with a margin beside it for the legend.
+void place_side_by_side(const Scenes& scenes, vtkRenderWindow* window, double margin) {
+    const double all = window->GetSize()[0];
+    const double width = (all - margin) / static_cast<double>(scenes.size());
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const double left = std::round(static_cast<double>(k) * width);
+        const double right = k + 1 == scenes.size() ? all : std::round(left + width);
+        scenes[k]->attach(window, {left / all, 0, right / all, 1});
+    }
+}
+
 /// The same colours mean the same in all panels; the last one has the legend.
 void share_range(const Scenes& scenes) {
     std::optional<Range> all;
@@ -66,6 +78,7 @@ void share_range(const Scenes& scenes) {
                       : *range;
         }
     }
+    scenes.back()->set_legend_data(scenes.front()->data());
     for (const auto& scene : scenes) {
         SceneOptions options = scene->options();
         options.range = all;
@@ -145,16 +158,14 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
     Monitor& monitor = job.monitor != nullptr ? *job.monitor : Monitor::silent();
     const HeadlessGL gl(finer * job.width, finer * job.height);
     const Scenes scenes = make_scenes(job, monitor);
-    const double share = 1.0 / static_cast<double>(scenes.size());
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-        const double left = static_cast<double>(k) * share;
-        scenes[k]->attach(gl.window(), {left, 0, k + 1 == scenes.size() ? 1 : left + share, 1});
-    }
+    place_side_by_side(scenes, gl.window(), 0);
     const double pixel_ratio = finer * job.text_scale;
     share_range(scenes);
     for (const auto& scene : scenes) {
         scene->prepare(pixel_ratio);
     }
+    place_side_by_side(scenes, gl.window(), scenes.back()->legend_pixels());
+    scenes.front()->prepare(pixel_ratio);
     const Camera camera = look(*scenes.front(), job.look);
     if (job.node && job.node->index() >= scenes.front()->data()->node_count) {
         throw Error(ExitCode::usage,

@@ -67,7 +67,7 @@ public:
 
     void show(vtkRenderWindow* to, const Viewport& where);
     void clear_actors();
-    [[nodiscard]] std::string scale_text() const;
+    [[nodiscard]] std::string scale_label() const;
     void bring_up_to_date(double pixel_ratio);
     void fit();
     [[nodiscard]] ViewFrame frame() const;
@@ -79,6 +79,7 @@ public:
     std::vector<NodeId> highlighted;
     std::optional<NodeId> marked;
     std::string caption;
+    std::shared_ptr<const SceneData> legend_data; ///< of another scene; null: our own
     bool transparent = false;
     bool interactive = false;
     bool simplified = false; ///< what a clip plane lays open is left out for the time being
@@ -99,6 +100,7 @@ public:
 
     vtkRenderWindow* window = nullptr;
     double pixel_ratio = 1;
+    double legend_width = 0; ///< [device pixels]
 
     vtkNew<vtkRenderer> renderer;
 
@@ -122,7 +124,6 @@ private:
     Viewport viewport_;
     vtkNew<vtkRenderer> margin_; ///< behind the legend
     vtkNew<vtkRenderer> over_;   ///< over everything, the whole viewport
-    double legend_width_ = 0;    ///< [device pixels]
     SceneActor surface_actor_;
     SceneActor lines_actor_; ///< boundary of a 2-D mesh
     SceneActor dots_actor_;  ///< nodes that go on some level
@@ -138,8 +139,8 @@ MeshScene::Impl::Impl() {
         renderer->AddActor(part->actor());
     }
     vtkProperty* const surface_property = surface_actor_.actor()->GetProperty();
-    surface_property->SetAmbient(0.42);
-    surface_property->SetDiffuse(0.62);
+    surface_property->SetAmbient(0.58);
+    surface_property->SetDiffuse(0.46);
     surface_property->SetEdgeColor(0.13, 0.14, 0.17);
     vtkProperty* const glyph_property = glyph_actor_.actor()->GetProperty();
     glyph_property->SetInterpolationToPhong();
@@ -194,7 +195,7 @@ Area MeshScene::Impl::whole_area() const {
 
 Area MeshScene::Impl::main_area() const {
     Area area = whole_area();
-    area.width -= legend_width_;
+    area.width -= legend_width;
     return area;
 }
 
@@ -414,23 +415,23 @@ Legend MeshScene::Impl::legend() const {
     if (!options.legend || data == nullptr) {
         return legend;
     }
+    const SceneData& explained = legend_data != nullptr ? *legend_data : *data;
     legend.title = title(options.colour);
     legend.colour = options.colour;
     if (has_scale(options.colour)) {
         legend.range = scale_range();
     } else if (options.colour == ColourBy::patch) {
-        for (const int patch : data->patches) {
+        for (const int patch : explained.patches) {
             if (!options.hidden_patches.contains(patch)) {
-                legend.entries.push_back({patch_colour(*data, patch), data->patch_name(patch)});
+                legend.entries.push_back(
+                    {patch_colour(explained, patch), explained.patch_name(patch)});
             }
         }
-    } else if (options.colour == ColourBy::removed_at && !data->removed_at().empty()) {
-        const auto& gone = data->removed_at();
+    } else if (options.colour == ColourBy::removed_at && !explained.removed_at().empty()) {
+        const auto& gone = explained.removed_at();
         const int last = *std::max_element(gone.begin(), gone.end());
         for (int level = 1; level <= last; ++level) {
-            if (std::find(gone.begin(), gone.end(), level) != gone.end()) {
-                legend.entries.push_back({removal_colour(level), "level " + std::to_string(level)});
-            }
+            legend.entries.push_back({removal_colour(level), "level " + std::to_string(level)});
         }
         legend.entries.push_back({removal_colour(0), "never"});
     }
@@ -441,14 +442,14 @@ Legend MeshScene::Impl::legend() const {
 void MeshScene::Impl::lay_out() {
     const Area whole = whole_area();
     const double em = text_size * pixel_ratio;
-    const double wanted = std::ceil(legend_width(legend(), em));
-    legend_width_ = wanted <= 0.45 * whole.width ? wanted : 0;
-    const double split = whole.width > 0 ? viewport_.right - legend_width_ / whole.width *
+    const double wanted = std::ceil(gui::legend_width(legend(), em));
+    legend_width = wanted <= 0.45 * whole.width ? wanted : 0;
+    const double split = whole.width > 0 ? viewport_.right - legend_width / whole.width *
                                                                  (viewport_.right - viewport_.left)
                                          : viewport_.right;
     renderer->SetViewport(viewport_.left, viewport_.bottom, split, viewport_.top);
     margin_->SetViewport(split, viewport_.bottom, viewport_.right, viewport_.top);
-    margin_->SetDraw(legend_width_ > 0);
+    margin_->SetDraw(legend_width > 0);
     over_->SetViewport(viewport_.left, viewport_.bottom, viewport_.right, viewport_.top);
 }
 
@@ -478,22 +479,23 @@ void MeshScene::Impl::draw_handle(const ViewFrame& view) {
 void MeshScene::Impl::draw_overlay() {
     const ViewFrame view = frame();
     const Area whole = whole_area();
-    const Area area{0, 0, whole.width - legend_width_, whole.height};
+    const Area area{0, 0, whole.width - legend_width, whole.height};
     const double em = text_size * pixel_ratio;
     const Rgb& ink = options.dark ? dark_ink : light_ink;
+    const Rgb& paper = options.dark ? dark_background : light_background;
     overlay_.clear();
     if (data != nullptr) {
-        if (legend_width_ > 0) {
-            draw_legend(overlay_, legend(), {area.width, 0, legend_width_, whole.height}, em, ink);
+        if (legend_width > 0) {
+            draw_legend(overlay_, legend(), {area.width, 0, legend_width, whole.height}, em, ink);
         }
         if (options.axes) {
-            draw_axes(overlay_, area, em, view.right, view.up, view.sight, data->dimension, ink);
+            draw_axes(overlay_, area, em, view.right, view.up, view.sight, data->dimension, ink,
+                      paper);
         }
         if (options.scale_bar && !is_view_scaled(options) && area.width > 12 * em) {
-            draw_scale_bar(overlay_, area, em, view.units_per_pixel, ink);
+            draw_scale_bar(overlay_, area, em, view.units_per_pixel, ink, paper);
         }
         const std::string& text = caption.empty() ? data->name() : caption;
-        overlay_.text(em, whole.height - 1.6 * em, text, 1.15 * em, ink, Align::left, true);
         if (marked && marked->index() < data->node_count && !is_clipped_away(*marked)) {
             const auto [x, y] = view.pixel_of(data->position(*marked));
             overlay_.circle(x - whole.left, y - whole.bottom, 0.6 * em, 0.14 * em, mark_colour);
@@ -501,9 +503,7 @@ void MeshScene::Impl::draw_overlay() {
         if (handles && options.clip.enabled) {
             draw_handle(view);
         }
-        if (is_view_scaled(options)) {
-            draw_warning(overlay_, area, em, scale_text());
-        }
+        draw_titles(overlay_, area, em, text, scale_label(), ink, paper);
     }
     if (viewport_.left > 0) {
         overlay_.line(0, 0, 0, whole.height, 2 * pixel_ratio, {150, 153, 160});
@@ -548,7 +548,10 @@ void MeshScene::Impl::bring_up_to_date(double ratio) {
     draw_overlay();
 }
 
-std::string MeshScene::Impl::scale_text() const {
+std::string MeshScene::Impl::scale_label() const {
+    if (!is_view_scaled(options)) {
+        return {};
+    }
     std::string text = "VIEW SCALED";
     for (int k = 0; k < 3; ++k) {
         if (options.view_scale[k] != 1) {
@@ -602,6 +605,10 @@ const std::shared_ptr<const SceneData>& MeshScene::data() const {
 
 void MeshScene::set_caption(const std::string& caption) {
     impl_->caption = caption;
+}
+
+void MeshScene::set_legend_data(std::shared_ptr<const SceneData> data) {
+    impl_->legend_data = std::move(data);
 }
 
 void MeshScene::set_options(const SceneOptions& options) {
@@ -754,7 +761,11 @@ std::optional<std::pair<double, double>> MeshScene::shown_range() const {
 }
 
 std::string MeshScene::scale_label() const {
-    return is_view_scaled(impl_->options) ? impl_->scale_text() : "";
+    return impl_->scale_label();
+}
+
+double MeshScene::legend_pixels() const {
+    return impl_->legend_width;
 }
 
 std::size_t MeshScene::shown_triangles() const {
