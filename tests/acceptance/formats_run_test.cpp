@@ -197,7 +197,7 @@ void FormatsRunTest::writes_a_metric_into_vtu() {
     QCOMPARE(here.ameco({"case", "cube", "--n", "2", "-o", "cube.meshb"}).code, 0);
     QCOMPARE(here.ameco({"metric", "cube.meshb", "-o", "cube.solb"}).code, 0);
     const Run run = here.ameco({"convert", "cube.meshb", "cube.vtu", "--metric", "cube.solb"});
-    if (run.code == 2 && run.err.contains("cannot be written as a mesh")) {
+    if (run.code == 8) {
         QSKIP("this build leaves out VTK");
     }
     QVERIFY2(run.code == 0, run.text());
