@@ -51,8 +51,7 @@ void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, const R
     colours_.push_back({colour[0], colour[1], colour[2], alpha});
 }
 
-void Overlay::fill(double x0, double y0, double x1, double y1, const Rgb& colour,
-                   double opacity) {
+void Overlay::fill(double x0, double y0, double x1, double y1, const Rgb& colour, double opacity) {
     polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, colour, opacity);
 }
 

@@ -45,8 +45,9 @@ double area(const SceneData& data, const VisibleSurface& surface, bool inside_on
         const auto& p = surface.polygons[k];
         for (std::size_t t = 1; t < 3 && p[t + 1] >= 0; ++t) {
             const Vec3 a = place(data, surface, p[0]);
-            sum += (place(data, surface, p[t]) - a).cross(place(data, surface, p[t + 1]) - a).norm() /
-                   2;
+            sum +=
+                (place(data, surface, p[t]) - a).cross(place(data, surface, p[t + 1]) - a).norm() /
+                2;
         }
     }
     return sum;
@@ -116,7 +117,9 @@ void VisibleSurfaceTest::bounds_the_whole_elements_behind_the_plane_with_crinkle
     const Mesh<3>& mesh = *std::get<0>(data->input).mesh;
     std::map<std::array<NodeId, 3>, int> facets;
     for (const auto& s : mesh.elements) {
-        const auto behind = [&](NodeId i) { return (mesh.points[i] - clip.origin).dot(normal) <= 0; };
+        const auto behind = [&](NodeId i) {
+            return (mesh.points[i] - clip.origin).dot(normal) <= 0;
+        };
         if (std::any_of(s.begin(), s.end(), behind)) {
             for (int k = 0; k < 4; ++k) {
                 ++facets[sorted(facet_of<3>(s, k))];
