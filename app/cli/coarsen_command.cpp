@@ -10,6 +10,7 @@
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/hierarchy_json.h"
 #include "core/hierarchy/pictures.h"
+#include "core/io/format.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -30,7 +31,40 @@ bool is_empty_folder(const fs::path& folder) {
     return !failure && entries == fs::directory_iterator();
 }
 
-constexpr int most_levels = 100;
+/// A format that levels can be written in beside Medit's, and the end of their names.
+struct ExportFormat {
+    std::string name;   ///< as the user gives it: a format's name, or one of its further suffixes
+    std::string format; ///< its name in the table
+    std::string suffix;
+};
+
+/// All of them: those that hold a mesh with volume.
+std::vector<ExportFormat> export_formats() {
+    std::vector<ExportFormat> result;
+    for (const Format& format : formats()) {
+        const bool medit = format.name == "medit" || format.name == "medit-text";
+        if (format.is_metric() || !format.writes() || (format.keeps & keeps_3d) == 0 || medit) {
+            continue;
+        }
+        const std::string name(format.name);
+        result.push_back({name, name, std::string(format.suffixes.front())});
+        if (format.name == "ugrid") { // its suffix says how numbers are written
+            for (std::size_t i = 1; i < format.suffixes.size(); ++i) {
+                const std::string suffix(format.suffixes[i]);
+                result.push_back({suffix.substr(1), name, suffix});
+            }
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> level_formats() {
+    std::vector<std::string> names{"meshb", "mesh"};
+    for (const ExportFormat& format : export_formats()) {
+        names.push_back(format.name);
+    }
+    return names;
+}
 
 class CoarsenCommand : public Command {
 public:
@@ -48,7 +82,8 @@ public:
              {"coarsen wing.meshb -o levels --isotropic-below 1 --mean corrected",
               "sizes as the paper has them"}},
             "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0 "
-            "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and "
+            "is MESH itself; the levels in the format of --format beside them), metric_k.solb "
+            "(natural metrics), state_k.cbor (for --resume) and "
             "timing.json. Ctrl-C keeps the levels that are finished.\n"
             "Columns: predicted: nodes the metric asks for; of that: nodes there are, as a "
             "share of it; AR: aspect ratio of the nodes; in band: edges of length 0.71 - 1.41 "
@@ -59,21 +94,22 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        CoarsenOptions& coarsen = options_.coarsen;
         app.add_option("MESH", mesh_, "finest mesh (.mesh, .meshb)")->required();
         app.add_option("-o,--output", folder_, "folder for the levels; made if absent")
             ->type_name("DIR")
             ->required();
-        levels_ = app.add_option("-n,--levels", options_.levels, "coarser levels to make, at most")
-                      ->type_name("N")
-                      ->check(whole_number(1, most_levels))
-                      ->capture_default_str();
-        app.add_flag("--until-isotropic", options_.until_isotropic,
-                     "end with the first level that has 95 % of its nodes below an aspect ratio of "
-                     "5; as many levels as that takes, or as --levels allows");
-        app.add_option("--format", format_, "format of the levels: meshb (binary) or mesh (text)")
+        levels_ = add_setting(app, options_, "levels", "Options", "n");
+        add_setting(app, options_, "until-isotropic");
+        std::string others;
+        for (const ExportFormat& format : export_formats()) {
+            others += (others.empty() ? "" : ", ") + format.name;
+        }
+        app.add_option("--format", format_,
+                       "format of the levels: meshb (binary) or mesh (text); or one that all "
+                       "levels are written in too, beside meshb: " +
+                           others)
             ->type_name("NAME")
-            ->check(one_of({"meshb", "mesh"}))
+            ->check(one_of(level_formats()))
             ->capture_default_str();
         app.add_flag("--copy-input", copy_input_,
                      "put a copy of MESH into the folder, so that the folder is complete");
@@ -87,16 +123,15 @@ public:
                      "keep the levels in the folder that were made from the same mesh with the "
                      "same settings, and go on from there");
         app.add_flag("--force", force_, "replace the hierarchy in the folder");
-        add_coarsening_options(app, coarsen);
+        add_coarsening_options(app);
     }
 
     ExitCode run(Session& session) override {
         require_usable_folder();
         set_factors();
         if (options_.until_isotropic && levels_->count() == 0) {
-            options_.levels = most_levels;
+            options_.levels = static_cast<int>(setting("levels").high);
         }
-        options_.coarsen.mean = chosen_mean(mean_);
         ReadyMesh input =
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
         return std::visit(
@@ -108,7 +143,7 @@ public:
     }
 
 private:
-    void add_coarsening_options(CLI::App& app, CoarsenOptions& coarsen) {
+    void add_coarsening_options(CLI::App& app) {
         constexpr const char* group = "Coarsening";
         CLI::Option* factor =
             app.add_option(
@@ -119,29 +154,13 @@ private:
                 ->delimiter(',')
                 ->allow_extra_args(false)
                 ->check(greater_than(1))
-                ->default_str(number_text(coarsen.target.factor))
+                ->default_str(number_text(options_.coarsen.target.factor))
                 ->group(group);
-        app.add_option("--target-ratio", options_.target_ratio,
-                       "choose the factor of each level so that it has R times fewer nodes; takes "
-                       "up to five times as long [off]")
-            ->type_name("R")
-            ->check(greater_than(1))
-            ->excludes(factor)
-            ->group(group);
-        add_target_options(app, coarsen.target, group);
-        add_mean_option(app, mean_)->group(group);
-        app.add_option("--surface-deviation", coarsen.removal.surface.relative_distance,
-                       "how far the boundary may move, over the local size of the surface mesh")
-            ->type_name("D")
-            ->check(number_within(0, HUGE_VAL))
-            ->capture_default_str()
-            ->group(group);
-        app.add_option("--ridge-angle", coarsen.features.ridge_angle_deg,
-                       "boundary edges that turn by more degrees are kept")
-            ->type_name("DEG")
-            ->check(number_within(0, 180))
-            ->capture_default_str()
-            ->group(group);
+        add_setting(app, options_, "target-ratio", group)->excludes(factor);
+        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
+                                 "surface-deviation", "ridge-angle"}) {
+            add_setting(app, options_, name, group);
+        }
         app.add_option("--freeze", freeze_,
                        "patches to leave untouched, by id or name (ameco info lists them)")
             ->type_name("PATCH...")
@@ -187,7 +206,16 @@ private:
         Hierarchy h;
         h.program = std::string("ameco ") + AMECO_VERSION;
         h.dimension = dimension;
-        h.mesh_suffix = "." + format_;
+        if (format_ == "meshb" || format_ == "mesh") {
+            h.mesh_suffix = "." + format_;
+        } else {
+            for (const ExportFormat& format : export_formats()) {
+                if (format.name == format_) {
+                    h.export_format = format.format;
+                    h.export_suffix = format.suffix;
+                }
+            }
+        }
         h.options = options_;
         h.input.copied = copy_input_;
         h.input.format = input.file.format;
@@ -244,7 +272,7 @@ private:
         }
         const LevelSink<D> sink = [&](const Level<D>& level, const LevelStatistics& statistics,
                                       const LevelTiming& timing) {
-            folder.add_level(level, statistics, timing);
+            say_once(folder.add_level(level, statistics, timing), session);
             if (transfers) {
                 transfers->add(level, statistics.level);
             }
@@ -265,6 +293,15 @@ private:
             print_summary(session, folder, end);
         }
         return exit_code(folder.hierarchy());
+    }
+
+    /// What the format of the levels cannot carry is said of the first level that it is true of.
+    void say_once(const std::vector<std::string>& notes, Session& session) {
+        for (const std::string& note : notes) {
+            if (said_.insert(note).second) {
+                session.monitor.message(Severity::warning, "--format " + format_ + ": " + note);
+            }
+        }
     }
 
     template <int D>
@@ -353,8 +390,8 @@ private:
     HierarchyOptions options_;
     std::vector<double> factors_;
     CLI::Option* levels_ = nullptr;
-    std::string mean_ = std::string(name(CoarsenOptions{}.mean));
     std::string format_ = "meshb";
+    std::set<std::string> said_;
     std::vector<std::string> freeze_;
     bool copy_input_ = false;
     bool pictures_ = false;
