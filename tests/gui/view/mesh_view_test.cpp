@@ -7,6 +7,7 @@
 #include "tests/support/picture.h"
 
 #include <QApplication>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QPointer>
@@ -211,7 +212,10 @@ void MeshViewTest::grabs_larger_and_transparent_pictures() {
 void MeshViewTest::survives_resizing_hiding_and_another_parent() {
     and_drawn([&] { view_->resize(700, 300); });
     view_->hide();
-    and_drawn([&] { view_->show(); });
+    and_drawn([&] {
+        view_->show();
+        view_->resetCamera();
+    });
     QWidget other;
     other.resize(500, 500);
     view_->setParent(&other);
@@ -227,6 +231,9 @@ void MeshViewTest::takes_dropped_files() {
     QSignalSpy dropped(view_.get(), &MeshView::filesDropped);
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile("/somewhere/wing.meshb"), QUrl("https://example.org/a")});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &enter);
+    QVERIFY(enter.isAccepted());
     QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(view_.get(), &event);
     QCOMPARE(dropped.count(), 1);
@@ -257,7 +264,7 @@ void MeshViewTest::compares_with_linked_cameras_and_planes() {
     QCOMPARE(compare.viewCount(), 4);
     compare.setViewCount(1);
     QVERIFY(compare.view(0).isVisible() && !compare.view(1).isVisible());
-    QTRY_VERIFY(share_not_background(compare.grabImage(1, false)) > 0.2);
+    QTRY_VERIFY(share_not_background(compare.grabImage(1, false)) > 0.08);
 }
 
 void MeshViewTest::closes_while_shown() {
