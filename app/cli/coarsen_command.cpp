@@ -66,8 +66,6 @@ std::vector<std::string> level_formats() {
     return names;
 }
 
-constexpr int most_levels = 100;
-
 class CoarsenCommand : public Command {
 public:
     [[nodiscard]] CommandHelp help() const override {
@@ -96,18 +94,12 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        CoarsenOptions& coarsen = options_.coarsen;
         app.add_option("MESH", mesh_, "finest mesh (.mesh, .meshb)")->required();
         app.add_option("-o,--output", folder_, "folder for the levels; made if absent")
             ->type_name("DIR")
             ->required();
-        levels_ = app.add_option("-n,--levels", options_.levels, "coarser levels to make, at most")
-                      ->type_name("N")
-                      ->check(whole_number(1, most_levels))
-                      ->capture_default_str();
-        app.add_flag("--until-isotropic", options_.until_isotropic,
-                     "end with the first level that has 95 % of its nodes below an aspect ratio of "
-                     "5; as many levels as that takes, or as --levels allows");
+        levels_ = add_setting(app, options_, "levels", "Options", "n");
+        add_setting(app, options_, "until-isotropic");
         std::string others;
         for (const ExportFormat& format : export_formats()) {
             others += (others.empty() ? "" : ", ") + format.name;
@@ -131,16 +123,15 @@ public:
                      "keep the levels in the folder that were made from the same mesh with the "
                      "same settings, and go on from there");
         app.add_flag("--force", force_, "replace the hierarchy in the folder");
-        add_coarsening_options(app, coarsen);
+        add_coarsening_options(app);
     }
 
     ExitCode run(Session& session) override {
         require_usable_folder();
         set_factors();
         if (options_.until_isotropic && levels_->count() == 0) {
-            options_.levels = most_levels;
+            options_.levels = static_cast<int>(setting("levels").high);
         }
-        options_.coarsen.mean = chosen_mean(mean_);
         ReadyMesh input =
             load_valid_mesh(mesh_, options_.coarsen.features.ridge_angle_deg, session);
         return std::visit(
@@ -152,7 +143,7 @@ public:
     }
 
 private:
-    void add_coarsening_options(CLI::App& app, CoarsenOptions& coarsen) {
+    void add_coarsening_options(CLI::App& app) {
         constexpr const char* group = "Coarsening";
         CLI::Option* factor =
             app.add_option(
@@ -163,29 +154,13 @@ private:
                 ->delimiter(',')
                 ->allow_extra_args(false)
                 ->check(greater_than(1))
-                ->default_str(number_text(coarsen.target.factor))
+                ->default_str(number_text(options_.coarsen.target.factor))
                 ->group(group);
-        app.add_option("--target-ratio", options_.target_ratio,
-                       "choose the factor of each level so that it has R times fewer nodes; takes "
-                       "up to five times as long [off]")
-            ->type_name("R")
-            ->check(greater_than(1))
-            ->excludes(factor)
-            ->group(group);
-        add_target_options(app, coarsen.target, group);
-        add_mean_option(app, mean_)->group(group);
-        app.add_option("--surface-deviation", coarsen.removal.surface.relative_distance,
-                       "how far the boundary may move, over the local size of the surface mesh")
-            ->type_name("D")
-            ->check(number_within(0, HUGE_VAL))
-            ->capture_default_str()
-            ->group(group);
-        app.add_option("--ridge-angle", coarsen.features.ridge_angle_deg,
-                       "boundary edges that turn by more degrees are kept")
-            ->type_name("DEG")
-            ->check(number_within(0, 180))
-            ->capture_default_str()
-            ->group(group);
+        add_setting(app, options_, "target-ratio", group)->excludes(factor);
+        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
+                                 "surface-deviation", "ridge-angle"}) {
+            add_setting(app, options_, name, group);
+        }
         app.add_option("--freeze", freeze_,
                        "patches to leave untouched, by id or name (ameco info lists them)")
             ->type_name("PATCH...")
@@ -415,7 +390,6 @@ private:
     HierarchyOptions options_;
     std::vector<double> factors_;
     CLI::Option* levels_ = nullptr;
-    std::string mean_ = std::string(name(CoarsenOptions{}.mean));
     std::string format_ = "meshb";
     std::set<std::string> said_;
     std::vector<std::string> freeze_;

@@ -50,13 +50,15 @@ public:
         app.add_option("-o,--output", output_,
                        "metric to write (.solb, .sol); with --compare a picture (.svg)")
             ->type_name("FILE");
-        add_mean_option(app, mean_);
-        app.add_option("--coarsen", target_.factor,
+        add_setting(app, options_, "mean");
+        app.add_option("--coarsen", options_.coarsen.target.factor,
                        "write the metric of the next coarser level: coarse size over fine size, "
                        "greater than 1 [off]")
             ->type_name("C")
             ->check(greater_than(1));
-        add_target_options(app, target_, "Options");
+        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation"}) {
+            add_setting(app, options_, name);
+        }
         coarsen_ = app.get_option("--coarsen");
         compare_ = app.add_option("--compare", node_,
                                   "compare all means at this node of the mesh file, counted from "
@@ -192,7 +194,7 @@ private:
         const std::vector<bool> used = used_nodes(mesh);
         require_valid(mesh);
         MonitorPart part(session.monitor, 0.1, 0.9);
-        MetricField<D> field = nodal_metric(mesh, chosen_mean(mean_), part);
+        MetricField<D> field = nodal_metric(mesh, options_.coarsen.mean, part);
         MetricSummary s;
         s.dimension = D;
         s.nodes = static_cast<std::int64_t>(mesh.points.size());
@@ -200,7 +202,7 @@ private:
         s.complexity = complexity(mesh, field);
         s.predicted_nodes = static_cast<double>(s.nodes);
         if (coarsen_->count() > 0) {
-            field = target_metric(mesh, field, target_);
+            field = target_metric(mesh, field, options_.coarsen.target);
             const double coarse = complexity(mesh, field);
             s.predicted_nodes *= coarse / s.complexity;
             s.complexity = coarse;
@@ -251,10 +253,10 @@ private:
 
     void print(std::ostream& out, const MetricSummary& s) const {
         out << output_ << ": "
-            << (coarsen_->count() > 0
-                    ? "metric of the next coarser level, sizes times " + number_text(target_.factor)
-                    : "natural metric")
-            << " of " << mesh_ << " (" << mean_ << ")\n";
+            << (coarsen_->count() > 0 ? "metric of the next coarser level, sizes times " +
+                                            number_text(options_.coarsen.target.factor)
+                                      : "natural metric")
+            << " of " << mesh_ << " (" << name(options_.coarsen.mean) << ")\n";
         const double ratio = static_cast<double>(s.nodes) / s.predicted_nodes;
         Facts facts{{"mesh", count_text(s.nodes) + " nodes, " + count_text(s.elements) + " " +
                                  element_word(s.dimension)},
@@ -272,24 +274,24 @@ private:
     }
 
     void print_json(std::ostream& out, const MetricSummary& s) const {
-        const Json json = {{"file", output_},
-                           {"mesh", mesh_},
-                           {"mean", mean_},
-                           {"factor", coarsen_->count() > 0 ? Json(target_.factor) : Json()},
-                           {"dimension", s.dimension},
-                           {"nodes", s.nodes},
-                           {"elements", s.elements},
-                           {"complexity", s.complexity},
-                           {"predicted_elements", s.predicted_elements},
-                           {"predicted_nodes", s.predicted_nodes},
-                           {"aspect_ratio", to_json(s.aspect_ratio, s.classes)}};
+        const Json json = {
+            {"file", output_},
+            {"mesh", mesh_},
+            {"mean", name(options_.coarsen.mean)},
+            {"factor", coarsen_->count() > 0 ? Json(options_.coarsen.target.factor) : Json()},
+            {"dimension", s.dimension},
+            {"nodes", s.nodes},
+            {"elements", s.elements},
+            {"complexity", s.complexity},
+            {"predicted_elements", s.predicted_elements},
+            {"predicted_nodes", s.predicted_nodes},
+            {"aspect_ratio", to_json(s.aspect_ratio, s.classes)}};
         out << json.dump(2) << '\n';
     }
 
     std::string mesh_;
     std::string output_;
-    std::string mean_ = std::string(name(CoarsenOptions{}.mean));
-    TargetOptions target_;
+    HierarchyOptions options_; ///< mean and target
     int node_ = 0;
     CLI::Option* coarsen_ = nullptr;
     CLI::Option* compare_ = nullptr;

@@ -3,7 +3,6 @@
 
 #include "app/cli/report.h"
 #include "app/cli/suggest.h"
-#include "core/base/error.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +33,19 @@ CLI::Validator finite_number(std::function<bool(double)> accepts, const std::str
         return value && std::isfinite(*value) && accepts(*value) ? std::string()
                                                                  : text + " is not " + wanted;
     });
+}
+
+CLI::Validator values_of(const Setting& s) {
+    switch (s.kind) {
+    case Setting::Kind::choice:
+        return one_of(s.choices);
+    case Setting::Kind::whole_number:
+        return whole_number(std::lround(s.low), std::lround(s.high));
+    case Setting::Kind::flag:
+    case Setting::Kind::number:
+        break;
+    }
+    return s.above_low ? greater_than(s.low) : number_within(s.low, s.high);
 }
 
 } // namespace
@@ -73,66 +85,23 @@ CLI::Validator one_of(std::vector<std::string> words) {
     });
 }
 
-CLI::Option* add_mean_option(CLI::App& app, std::string& mean) {
-    std::vector<std::string> names;
-    std::string list;
-    for (const Mean m : all_means) {
-        names.emplace_back(name(m));
-        list += (list.empty() ? "" : ", ") + names.back();
+CLI::Option* add_setting(CLI::App& app, HierarchyOptions& options, std::string_view name,
+                         const std::string& group, const std::string& short_name) {
+    const Setting& s = setting(name);
+    const std::string names =
+        (short_name.empty() ? "" : "-" + short_name + ",") + "--" + std::string(name);
+    if (s.kind == Setting::Kind::flag) {
+        return app
+            .add_flag_callback(
+                names, [&s, &options] { s.assign(options, "1"); }, s.help)
+            ->group(group);
     }
-    return app
-        .add_option("--mean", mean, "how the metrics of the elements at a node become one: " + list)
-        ->type_name("NAME")
-        ->check(one_of(names))
-        ->capture_default_str();
-}
-
-Mean chosen_mean(const std::string& text) {
-    const std::optional<Mean> mean = mean_from_name(text);
-    if (!mean) {
-        throw UsageError("--mean " + text + ": not a mean");
+    CLI::Option* const option = app.add_option_function<std::string>(
+        names, [&s, &options](const std::string& word) { s.assign(options, word); }, s.help);
+    if (!s.zero_is_off) {
+        option->default_str(s.value(options));
     }
-    return *mean;
-}
-
-void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group) {
-    app.add_option("--slack", target.slack,
-                   "how far a size may pass the next smaller one, at least 1 (the paper has 1)")
-        ->type_name("S")
-        ->check(number_within(1, HUGE_VAL))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option(
-           "--isotropic-below", target.isotropic_below,
-           "regions with a lower aspect ratio are coarsened alike in all directions, the "
-           "more the rounder they are; at least 1, which leaves that out, as the paper does")
-        ->type_name("R")
-        ->check(number_within(1, HUGE_VAL))
-        ->capture_default_str()
-        ->group(group);
-    std::vector<std::string> names;
-    std::string list;
-    for (const TargetAlgorithm algorithm : all_target_algorithms) {
-        names.emplace_back(name(algorithm));
-        list += (list.empty() ? "" : ", ") + names.back();
-    }
-    app.add_option_function<std::string>(
-           "--algorithm",
-           [&target](const std::string& text) {
-               target.algorithm = target_algorithm_from_name(text).value_or(target.algorithm);
-           },
-           "whether sizes take notice of those beside them: " + list)
-        ->type_name("NAME")
-        ->check(one_of(names))
-        ->default_str(std::string(name(target.algorithm)))
-        ->group(group);
-    app.add_option("--gradation", target.gradation,
-                   "with --algorithm graded: most growth of the coarse sizes over one fine edge, "
-                   "greater than 1")
-        ->type_name("BETA")
-        ->check(greater_than(1))
-        ->capture_default_str()
-        ->group(group);
+    return option->type_name(std::string(s.value_name))->check(values_of(s))->group(group);
 }
 
 } // namespace ameco::cli

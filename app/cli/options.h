@@ -4,12 +4,12 @@
 /// plain words.
 #pragma once
 
-#include "core/coarsen/target_metric.h"
-#include "core/metric/nodal_metric.h"
+#include "core/hierarchy/settings.h"
 
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ameco::cli {
@@ -23,12 +23,10 @@ namespace ameco::cli {
 /// Accepts one of the words.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
-/// Adds `--mean`; its value is converted by `chosen_mean`.
-CLI::Option* add_mean_option(CLI::App& app, std::string& mean);
-[[nodiscard]] Mean chosen_mean(const std::string& text);
-
-/// Adds what decides the metric of the next level, but for the factor: `--slack`, `--algorithm`,
-/// `--gradation`.
-void add_target_options(CLI::App& app, TargetOptions& target, const std::string& group);
+/// Adds the option of a setting (core/hierarchy/settings.h): its name, help, default and test are
+/// those of the table. `options` must live as long as the parser.
+/// \param short_name  "n" for -n; may be empty
+CLI::Option* add_setting(CLI::App& app, HierarchyOptions& options, std::string_view name,
+                         const std::string& group = "Options", const std::string& short_name = "");
 
 } // namespace ameco::cli

@@ -34,6 +34,8 @@ struct TargetOptions {
                                   ///< >= 1; the paper knows none, which is 1
     TargetAlgorithm algorithm = TargetAlgorithm::basic;
     double gradation = 1.5; ///< `graded`: most growth of coarsened sizes per fine edge [-], > 1
+
+    friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
 };
 
 /// Sizes of the coarsened metric: the paper's Algorithm 1 at one node, with a slack.

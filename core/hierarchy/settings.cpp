@@ -132,9 +132,13 @@ std::vector<Setting> make_settings() {
     all.back().zero_is_off = true;
     all.push_back(number_setting(
         "slack", "Slack", "S",
-        "how far a size may pass the next smaller one, at least 1 (the paper has 1; more coarsens "
-        "nearly isotropic regions fully)",
-        1, no_bound, [](auto& o) -> auto& { return o.coarsen.target.slack; }));
+        "how far a size may pass the next smaller one, at least 1 (the paper has 1)", 1, no_bound,
+        [](auto& o) -> auto& { return o.coarsen.target.slack; }));
+    all.push_back(number_setting(
+        "isotropic-below", "Isotropic below", "R",
+        "regions with a lower aspect ratio are coarsened alike in all directions, the more the "
+        "rounder they are; at least 1, which leaves that out, as the paper does",
+        1, no_bound, [](auto& o) -> auto& { return o.coarsen.target.isotropic_below; }));
     all.push_back(algorithm_setting());
     all.push_back(number_setting(
         "gradation", "Gradation", "BETA",

@@ -66,6 +66,56 @@ double edge_determinant(const std::array<Vec<3>, 4>& x) {
            a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+/// V diag(h) V^T, upper triangle by rows.
+template <int D>
+Tensor<D> root_of(const Metric<D>& m) {
+    const Mat<D> s = m.directions * m.sizes.asDiagonal() * m.directions.transpose();
+    Tensor<D> tensor;
+    int k = 0;
+    for (int r = 0; r < D; ++r) {
+        for (int c = r; c < D; ++c) {
+            tensor[k++] = s(r, c);
+        }
+    }
+    return tensor;
+}
+
+/// Squares of the edges' lengths and the volume over the regular simplex's, in the metric S^-2.
+template <int D>
+struct Measures {
+    std::array<double, SimplexNumbering<D>::edge_count> squares;
+    double volume = 0;
+    double h2 = 0; ///< mean square length (18)
+};
+
+template <int D>
+Measures<D> measure(const std::array<Vec<D>, D + 1>& x, const Tensor<D>& s) {
+    const Inverse<D> inverse = invert(s);
+    const double det = inverse.det;
+    Measures<D> m;
+    double sum = 0;
+    int k = 0;
+    for (const auto& [i, j] : SimplexNumbering<D>::edges) {
+        m.squares[k] = squared_norm(inverse.adj, x[j] - x[i]);
+        sum += m.squares[k];
+        m.squares[k++] /= det * det;
+    }
+    m.h2 = sum / (det * det) / SimplexNumbering<D>::edge_count;
+    const double regular = D == 2 ? std::sqrt(3.0) / 2 : std::sqrt(0.5);
+    m.volume = edge_determinant(x) / (det * regular);
+    return m;
+}
+
+/// Q_F Q_S.
+template <int D>
+double original_quality(const Measures<D>& m) {
+    const double h = std::sqrt(m.h2);
+    const double h_d = D == 2 ? m.h2 : m.h2 * h;
+    const double shape = m.volume / h_d;
+    const double size = std::min(h_d, 1 / h_d);
+    return std::max(0.0, shape * size);
+}
+
 } // namespace
 
 template <int D>
@@ -73,46 +123,47 @@ RootField<D> make_root_field(const MetricField<D>& target) {
     RootField<D> root(target.size());
     parallel_for(target.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Metric<D>& m = target[NodeId(i)];
-            const Mat<D> s = m.directions * m.sizes.asDiagonal() * m.directions.transpose();
-            int k = 0;
-            for (int r = 0; r < D; ++r) {
-                for (int c = r; c < D; ++c) {
-                    root[NodeId(i)][k++] = s(r, c);
-                }
-            }
+            root[NodeId(i)] = root_of<D>(target[NodeId(i)]);
         }
     });
     return root;
 }
 
 template <int D>
+MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>& x,
+                                 const std::array<Metric<D>, D + 1>& natural) {
+    Tensor<D> mean{};
+    for (const Metric<D>& metric : natural) {
+        const Tensor<D> root = root_of<D>(metric);
+        for (int k = 0; k < tensor_size<D>; ++k) {
+            mean[k] += root[k] / (D + 1);
+        }
+    }
+    const Measures<D> m = measure<D>(x, mean);
+    double worst = 1;
+    for (const double square : m.squares) {
+        worst = std::min({worst, square, 1 / square});
+    }
+    const double sizes = std::pow(worst, D / 2.0);
+    const double shape = m.volume / std::pow(m.h2, D / 2.0);
+    const double volume = std::min(m.volume, 1 / m.volume);
+    return {original_quality(m), std::max(0.0, shape * sizes * volume)};
+}
+
+template <int D>
 double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
                       const Simplex<D>& element) {
-    const Tensor<D> s = mean_root<D>(root, element);
     std::array<Vec<D>, D + 1> x;
     for (int i = 0; i <= D; ++i) {
         x[i] = mesh.point(element[i]);
     }
-    const Inverse<D> inverse = invert(s);
-    const double det = inverse.det;
-    double sum = 0;
-    for (const auto& [i, j] : SimplexNumbering<D>::edges) {
-        sum += squared_norm(inverse.adj, x[j] - x[i]);
-    }
-    // Mean square length (18), and the volume over that of the regular simplex of edge 1.
-    const double h2 = sum / (det * det) / SimplexNumbering<D>::edge_count;
-    const double regular = D == 2 ? std::sqrt(3.0) / 2 : std::sqrt(0.5);
-    const double volume = edge_determinant(x) / (det * regular);
-    const double h = std::sqrt(h2);
-    const double h_d = D == 2 ? h2 : h2 * h;
-    const double shape = volume / h_d;
-    const double size = std::min(h_d, 1 / h_d);
-    return std::max(0.0, shape * size);
+    return original_quality(measure<D>(x, mean_root<D>(root, element)));
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
     template RootField<D> make_root_field(const MetricField<D>&);                                  \
+    template MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>&,                    \
+                                              const std::array<Metric<D>, D + 1>&);                \
     template double metric_quality(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);
 
 AMECO_INSTANTIATE(2)

@@ -1,168 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gui/scene/mesh_scene.h"
 
-#include "gui/bridge/to_vtk.h"
-#include "gui/scene/colour_map.h"
-#include "gui/scene/view_transform.h"
-#include "gui/scene/visible_surface.h"
-
-#include <Eigen/Geometry>
-
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkOpenGLPolyDataMapper.h>
-#include <vtkOpenGLVertexBufferObject.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include "gui/scene/mesh_scene_impl.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 namespace ameco::gui {
-namespace {
-
-/// The camera's axes in the scaled view, orthonormal.
-struct ViewAxes {
-    Vec3 right, up, sight;
-};
-
-ViewAxes axes_of(const Camera& camera) {
-    ViewAxes axes;
-    axes.sight = camera.sight.normalized();
-    axes.right = axes.sight.cross(camera.up).normalized();
-    axes.up = axes.right.cross(axes.sight);
-    return axes;
-}
-
-} // namespace
-
-class MeshScene::Impl {
-public:
-    Impl();
-
-    void rebuild_surface();
-    void place_points();
-    void place_camera();
-
-    [[nodiscard]] std::array<double, 4> pixels() const; ///< left, bottom, width, height
-
-    std::shared_ptr<const SceneData> data;
-    SceneOptions options;
-    Camera camera;
-    std::unique_ptr<SurfaceExtractor> extractor;
-    const VisibleSurface* surface = nullptr;
-    ViewTransform transform;
-    std::vector<Vec3> places; ///< of the surface's points, in the scaled view from the anchor
-    bool surface_old = true;
-    bool places_old = true;
-    bool transparent = false;
-    std::string caption;
-    std::vector<NodeId> highlighted;
-    std::optional<NodeId> marked;
-
-    vtkRenderWindow* window = nullptr;
-    Viewport viewport;
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkPolyData> polygons;
-    vtkNew<vtkOpenGLPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
-};
-
-MeshScene::Impl::Impl() {
-    mapper->SetInputData(polygons);
-    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetDiffuse(0.65);
-    actor->GetProperty()->SetEdgeColor(0.15, 0.16, 0.2);
-    renderer->AddActor(actor);
-    renderer->GetActiveCamera()->ParallelProjectionOn();
-}
-
-void MeshScene::Impl::rebuild_surface() {
-    surface_old = false;
-    places_old = true;
-    surface = &extractor->extract(options.clip, options.hidden_patches);
-    polygons->SetPolys(to_vtk(surface->polygons));
-    std::vector<Rgb> colours;
-    colours.reserve(surface->polygons.size());
-    for (const FaceId face : surface->faces) {
-        if (!face.valid()) {
-            colours.push_back(inside_colour);
-            continue;
-        }
-        const int patch = data->triangle_patch[face.index()];
-        const auto at = std::lower_bound(data->patches.begin(), data->patches.end(), patch);
-        colours.push_back(category_colour(static_cast<std::size_t>(at - data->patches.begin())));
-    }
-    polygons->GetCellData()->SetScalars(to_vtk(colours));
-}
-
-void MeshScene::Impl::place_points() {
-    places_old = false;
-    transform = make_view_transform(options, camera.focus);
-    places.clear();
-    places.reserve(surface->point_count());
-    for (const NodeId i : surface->nodes) {
-        places.push_back(transform.forward(data->position(i)));
-    }
-    for (const CutPoint& c : surface->cuts) {
-        const Vec3 a = transform.forward(data->position(c.a));
-        places.push_back(a + c.t * (transform.forward(data->position(c.b)) - a));
-    }
-    std::vector<Float3> points;
-    points.reserve(places.size());
-    for (const Vec3& y : places) {
-        points.push_back(
-            {static_cast<float>(y[0]), static_cast<float>(y[1]), static_cast<float>(y[2])});
-    }
-    std::vector<Float3> normals;
-    normals.reserve(surface->polygons.size());
-    for (const auto& p : surface->polygons) {
-        const Vec3& a = places[static_cast<std::size_t>(p[0])];
-        const Vec3 n = (places[static_cast<std::size_t>(p[1])] - a)
-                           .cross(places[static_cast<std::size_t>(p[2])] - a)
-                           .normalized();
-        normals.push_back(
-            {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
-    }
-    polygons->SetPoints(to_vtk_points(points));
-    polygons->GetCellData()->SetNormals(to_vtk(normals));
-}
-
-std::array<double, 4> MeshScene::Impl::pixels() const {
-    const int* const size = window->GetSize();
-    return {viewport.left * size[0], viewport.bottom * size[1],
-            (viewport.right - viewport.left) * size[0], (viewport.top - viewport.bottom) * size[1]};
-}
-
-void MeshScene::Impl::place_camera() {
-    const ViewAxes axes = axes_of(camera);
-    const Vec3 focus = transform.forward(camera.focus);
-    double depth = camera.height;
-    for (const Vec3& y : places) {
-        depth = std::max(depth, std::abs((y - focus).dot(axes.sight)));
-    }
-    depth = std::min(depth, 2000 * camera.height);
-    vtkCamera* const c = renderer->GetActiveCamera();
-    const Vec3 eye = focus - 1.1 * depth * axes.sight;
-    c->SetFocalPoint(focus.data());
-    c->SetPosition(eye.data());
-    c->SetViewUp(axes.up.data());
-    c->SetParallelScale(camera.height / 2);
-    c->SetClippingRange(0.05 * depth, 2.15 * depth);
-}
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {}
 
@@ -171,15 +18,7 @@ MeshScene::~MeshScene() {
 }
 
 void MeshScene::attach(vtkRenderWindow* window, const Viewport& viewport) {
-    if (impl_->window != nullptr) {
-        impl_->window->RemoveRenderer(impl_->renderer);
-    }
-    impl_->window = window;
-    impl_->viewport = viewport;
-    if (window != nullptr) {
-        window->AddRenderer(impl_->renderer);
-        impl_->renderer->SetViewport(viewport.left, viewport.bottom, viewport.right, viewport.top);
-    }
+    impl_->show(window, viewport);
 }
 
 vtkRenderer* MeshScene::renderer() const {
@@ -187,19 +26,23 @@ vtkRenderer* MeshScene::renderer() const {
 }
 
 void MeshScene::set_data(std::shared_ptr<const SceneData> data) {
-    const bool first = impl_->data == nullptr;
-    impl_->data = std::move(data);
-    impl_->surface = nullptr;
-    impl_->extractor.reset();
-    impl_->surface_old = true;
-    if (impl_->data == nullptr) {
-        impl_->polygons->Initialize();
+    Impl& i = *impl_;
+    const bool first = i.data == nullptr;
+    i.surface = nullptr;
+    i.places.clear();
+    i.extractor.reset();
+    i.data = std::move(data);
+    i.surface_old = true;
+    i.data_range_of = ColourBy::none;
+    i.data_range.reset();
+    if (i.data == nullptr) {
+        i.clear_actors();
         return;
     }
-    impl_->extractor = std::make_unique<SurfaceExtractor>(impl_->data);
+    i.extractor = std::make_unique<SurfaceExtractor>(i.data);
     if (first) {
-        impl_->options.hidden_patches = patches_hidden_at_first(*impl_->data);
-        standard_view(impl_->data->dimension == 3 ? StandardView::corner : StandardView::plus_z);
+        i.options.hidden_patches.merge(patches_hidden_at_first(*i.data));
+        standard_view(i.data->dimension == 3 ? StandardView::corner : StandardView::plus_z);
     }
 }
 
@@ -211,9 +54,23 @@ void MeshScene::set_caption(const std::string& caption) {
     impl_->caption = caption;
 }
 
+void MeshScene::set_legend_data(std::shared_ptr<const SceneData> data) {
+    impl_->legend_data = std::move(data);
+}
+
 void MeshScene::set_options(const SceneOptions& options) {
-    impl_->options = options;
-    impl_->surface_old = true;
+    Impl& i = *impl_;
+    const SceneOptions& old = i.options;
+    if (old.clip != options.clip && i.interactive) {
+        i.simplified = true;
+    }
+    i.surface_old |= old.clip != options.clip || old.hidden_patches != options.hidden_patches ||
+                     (old.colour == ColourBy::patch) != (options.colour == ColourBy::patch);
+    i.places_old |= old.view_scale != options.view_scale || !(old.lens == options.lens);
+    i.colours_old |= old.colour != options.colour || old.range != options.range;
+    i.glyphs_old |= !(old.ellipsoids == options.ellipsoids);
+    i.points_old |= old.colour != options.colour || old.clip != options.clip;
+    i.options = options;
 }
 
 const SceneOptions& MeshScene::options() const {
@@ -222,31 +79,55 @@ const SceneOptions& MeshScene::options() const {
 
 void MeshScene::highlight(std::vector<NodeId> nodes) {
     impl_->highlighted = std::move(nodes);
+    impl_->points_old = true;
 }
 
 void MeshScene::mark(std::optional<NodeId> node) {
     impl_->marked = node;
+    impl_->glyphs_old = true;
 }
 
-std::optional<Pick> MeshScene::pick(double, double) const {
-    return std::nullopt;
+std::optional<Pick> MeshScene::pick(double x, double y) const {
+    if (impl_->surface == nullptr || impl_->window == nullptr) {
+        return std::nullopt;
+    }
+    return pick_surface(*impl_->data, *impl_->surface, impl_->places, impl_->frame(), {x, y});
 }
 
 std::pair<double, double> MeshScene::pixel_of(const Vec3& position) const {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const Vec3 y = impl_->transform.A * (position - impl_->camera.focus);
-    const double scale = height / impl_->camera.height;
-    return {left + width / 2 + scale * y.dot(axes.right),
-            bottom + height / 2 + scale * y.dot(axes.up)};
+    const auto [x, y] = impl_->frame().pixel_of(position);
+    return {x, y};
 }
 
-std::optional<ClipHandle> MeshScene::clip_handle_at(double, double) const {
-    return std::nullopt;
+void MeshScene::set_handles(bool shown) {
+    impl_->handles = shown;
 }
 
-ClipPlane MeshScene::dragged_clip(ClipHandle, double, double, double, double) const {
-    return impl_->options.clip;
+std::optional<ClipHandle> MeshScene::clip_handle_at(double x, double y) const {
+    if (!impl_->handles || !impl_->options.clip.enabled || impl_->data == nullptr) {
+        return std::nullopt;
+    }
+    const double u = impl_->pixel_ratio;
+    const auto [foot, tip] = handle_shape(impl_->options.clip, impl_->frame(), handle_length * u);
+    if (std::hypot(x - tip[0], y - tip[1]) < 14 * u) {
+        return ClipHandle::turn;
+    }
+    const double dx = tip[0] - foot[0];
+    const double dy = tip[1] - foot[1];
+    const double t =
+        std::clamp(((x - foot[0]) * dx + (y - foot[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    return std::hypot(x - foot[0] - t * dx, y - foot[1] - t * dy) < 10 * u
+               ? std::optional(ClipHandle::shift)
+               : std::nullopt;
+}
+
+ClipPlane MeshScene::dragged_clip(ClipHandle handle, double from_x, double from_y, double to_x,
+                                  double to_y) const {
+    const ViewFrame view = impl_->frame();
+    const ClipPlane& clip = impl_->options.clip;
+    return handle == ClipHandle::shift ? shifted(clip, view, {from_x, from_y}, {to_x, to_y})
+                                       : turned(clip, view, {from_x, from_y}, {to_x, to_y},
+                                                handle_length * impl_->pixel_ratio);
 }
 
 Camera MeshScene::camera() const {
@@ -255,34 +136,14 @@ Camera MeshScene::camera() const {
 
 void MeshScene::set_camera(const Camera& camera) {
     impl_->camera = camera;
+    impl_->fit_wanted = false;
 }
 
 void MeshScene::reset_camera() {
-    if (impl_->data == nullptr) {
-        return;
+    impl_->fit_wanted = true;
+    if (impl_->data != nullptr) {
+        impl_->bring_up_to_date(impl_->pixel_ratio);
     }
-    const ViewTransform transform = make_view_transform(impl_->options, Vec3::Zero());
-    const Vec3 low = impl_->data->focus_low;
-    const Vec3 high = impl_->data->focus_high;
-    const ViewAxes axes = axes_of(impl_->camera);
-    double width = 0;
-    double height = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        Vec3 half = (high - low) / 2;
-        for (int k = 0; k < 3; ++k) {
-            half[k] *= (corner >> k & 1) != 0 ? 1 : -1;
-        }
-        const Vec3 y = transform.A * half;
-        width = std::max(width, 2 * std::abs(y.dot(axes.right)));
-        height = std::max(height, 2 * std::abs(y.dot(axes.up)));
-    }
-    double aspect = 1.5;
-    if (impl_->window != nullptr && impl_->window->GetSize()[1] > 0) {
-        const auto [left, bottom, pixel_width, pixel_height] = impl_->pixels();
-        aspect = pixel_width / pixel_height;
-    }
-    impl_->camera.focus = (low + high) / 2;
-    impl_->camera.height = 1.1 * std::max({height, width / aspect, 1e-300});
 }
 
 void MeshScene::standard_view(StandardView view) {
@@ -293,69 +154,65 @@ void MeshScene::standard_view(StandardView view) {
 }
 
 void MeshScene::turn(double dx, double dy) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const double full = std::numbers::pi / std::min(width, height);
+    const ViewFrame view = impl_->frame();
+    const double full =
+        std::numbers::pi / std::max(1.0, std::min(view.area.width, view.area.height));
     const Mat<3> rotation =
-        (Eigen::AngleAxisd(-dx * full, axes.up) * Eigen::AngleAxisd(dy * full, axes.right))
+        (Eigen::AngleAxisd(-dx * full, view.up) * Eigen::AngleAxisd(dy * full, view.right))
             .toRotationMatrix();
-    impl_->camera.sight = rotation * axes.sight;
-    impl_->camera.up = rotation * axes.up;
+    impl_->camera.sight = rotation * view.sight;
+    impl_->camera.up = rotation * view.up;
 }
 
 void MeshScene::shift(double dx, double dy) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const ViewAxes axes = axes_of(impl_->camera);
-    const double scale = impl_->camera.height / height;
-    impl_->camera.focus -= make_view_transform(impl_->options, Vec3::Zero()).inverse *
-                           (scale * (dx * axes.right + dy * axes.up));
+    const ViewFrame view = impl_->frame();
+    impl_->camera.focus -=
+        make_view_transform(impl_->options, Vec3::Zero()).inverse * view.way(dx, dy);
 }
 
 void MeshScene::zoom_at(double x, double y, double factor) {
-    const auto [left, bottom, width, height] = impl_->pixels();
-    const double dx = x - left - width / 2;
-    const double dy = y - bottom - height / 2;
+    const Area area = impl_->frame().area;
+    const double dx = x - area.left - area.width / 2;
+    const double dy = y - area.bottom - area.height / 2;
     shift(-dx, -dy);
     impl_->camera.height /= factor;
     shift(dx, dy);
 }
 
-void MeshScene::set_interactive(bool) {}
+void MeshScene::set_interactive(bool interactive) {
+    Impl& i = *impl_;
+    if (i.interactive == interactive) {
+        return;
+    }
+    i.interactive = interactive;
+    if (!interactive) {
+        i.surface_old |= i.simplified;
+        i.simplified = false;
+        i.glyphs_old = true;
+    }
+}
 
 void MeshScene::set_transparent(bool transparent) {
     impl_->transparent = transparent;
 }
 
-void MeshScene::prepare(double) {
-    if (impl_->options.dark) {
-        impl_->renderer->SetBackground(0.12, 0.13, 0.16);
-    } else {
-        impl_->renderer->SetBackground(1, 1, 1);
-    }
-    impl_->renderer->SetBackgroundAlpha(impl_->transparent ? 0 : 1);
-    auto* const property = impl_->actor->GetProperty();
-    property->SetEdgeVisibility(impl_->options.representation ==
-                                Representation::surface_with_edges);
-    property->SetRepresentation(
-        impl_->options.representation == Representation::wireframe ? VTK_WIREFRAME : VTK_SURFACE);
-    if (impl_->data == nullptr) {
-        return;
-    }
-    if (impl_->surface_old) {
-        impl_->rebuild_surface();
-    }
-    if (impl_->places_old) {
-        impl_->place_points();
-    }
-    impl_->place_camera();
+void MeshScene::prepare(double pixel_ratio) {
+    impl_->bring_up_to_date(pixel_ratio);
 }
 
 std::optional<std::pair<double, double>> MeshScene::shown_range() const {
-    return impl_->options.range;
+    if (!has_scale(impl_->options.colour)) {
+        return std::nullopt;
+    }
+    return impl_->scale_range();
 }
 
 std::string MeshScene::scale_label() const {
-    return is_view_scaled(impl_->options) ? "VIEW SCALED" : "";
+    return impl_->scale_label();
+}
+
+double MeshScene::legend_pixels() const {
+    return impl_->legend_width;
 }
 
 std::size_t MeshScene::shown_triangles() const {
@@ -363,7 +220,7 @@ std::size_t MeshScene::shown_triangles() const {
 }
 
 std::size_t MeshScene::shown_ellipsoids() const {
-    return 0;
+    return impl_->ellipsoids;
 }
 
 } // namespace ameco::gui

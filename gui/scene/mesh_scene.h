@@ -49,6 +49,9 @@ public:
     /// Text in the upper left corner; empty: the name of the data.
     void set_caption(const std::string& caption);
 
+    /// The legend explains the colours of another scene's data; null: of our own.
+    void set_legend_data(std::shared_ptr<const SceneData> data);
+
     void set_options(const SceneOptions& options);
     [[nodiscard]] const SceneOptions& options() const;
 
@@ -62,6 +65,8 @@ public:
     /// Where a place is seen [device pixels of the window, y up].
     [[nodiscard]] std::pair<double, double> pixel_of(const Vec3& position) const;
 
+    /// Whether the clip plane has a handle to be dragged; off at first.
+    void set_handles(bool shown);
     [[nodiscard]] std::optional<ClipHandle> clip_handle_at(double x, double y) const;
     /// The clip plane after its handle was dragged from one pixel to another.
     [[nodiscard]] ClipPlane dragged_clip(ClipHandle handle, double from_x, double from_y,
@@ -90,6 +95,7 @@ public:
     [[nodiscard]] std::optional<std::pair<double, double>> shown_range() const;
     /// What the picture says about its scale, e.g. "VIEW SCALED  y x 1000"; "" for a true view.
     [[nodiscard]] std::string scale_label() const;
+    [[nodiscard]] double legend_pixels() const; ///< width of the legend's margin [device pixels]
     [[nodiscard]] std::size_t shown_triangles() const;
     [[nodiscard]] std::size_t shown_ellipsoids() const;
 

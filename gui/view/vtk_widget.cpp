@@ -56,6 +56,7 @@ VtkWidget::VtkWidget(MeshScene& scene, QWidget* parent)
     window_->drawOffSide();
     observeWindow();
     scene_.attach(window_);
+    scene_.set_handles(true);
 }
 
 VtkWidget::~VtkWidget() {
@@ -143,6 +144,7 @@ QImage VtkWidget::grabImage(int factor, bool transparent) {
         const GenericWindow::StateGuard guard(*window_);
         window_->SetSize(width * factor, height * factor);
         scene_.set_transparent(transparent);
+        scene_.set_handles(false);
         scene_.prepare(devicePixelRatioF() * factor);
         window_->Render();
         const std::vector<unsigned char> pixels = window_->readPixels();
@@ -151,6 +153,7 @@ QImage VtkWidget::grabImage(int factor, bool transparent) {
             std::copy_n(pixels.data() + row * static_cast<std::size_t>(y), row, image.scanLine(y));
         }
         scene_.set_transparent(false);
+        scene_.set_handles(true);
         window_->SetSize(width, height);
     }
     requestRender();

@@ -16,7 +16,8 @@ private slots:
     void accepts_what_makes_sense_and_says_why_not_data();
     void accepts_what_makes_sense_and_says_why_not();
     void suggests_the_word_that_was_meant();
-    void knows_every_mean_by_its_name();
+    void takes_every_setting_of_the_table_data();
+    void takes_every_setting_of_the_table();
 };
 
 namespace {
@@ -75,11 +76,49 @@ void OptionsTest::suggests_the_word_that_was_meant() {
              std::string("plian is not one of bar, plain, did you mean plain?"));
 }
 
-void OptionsTest::knows_every_mean_by_its_name() {
-    for (const Mean mean : all_means) {
-        QCOMPARE(chosen_mean(std::string(name(mean))), mean);
+void OptionsTest::takes_every_setting_of_the_table_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("word");
+    QTest::addColumn<bool>("good");
+    const auto row = [](const char* name, const char* word, bool good) {
+        QTest::addRow("%s %s", name, word) << name << word << good;
+    };
+    row("levels", "7", true);
+    row("levels", "0", false);
+    row("levels", "2.5", false);
+    row("target-ratio", "2.25", true);
+    row("target-ratio", "1", false);
+    row("slack", "1", true);
+    row("slack", "0.9", false);
+    row("algorithm", "maca", true);
+    row("algorithm", "mecca", false);
+    row("gradation", "1.2", true);
+    row("gradation", "1", false);
+    row("mean", "geodesic", true);
+    row("mean", "harmonic", false);
+    row("surface-deviation", "0", true);
+    row("surface-deviation", "-1", false);
+    row("ridge-angle", "180", true);
+    row("ridge-angle", "180.5", false);
+}
+
+void OptionsTest::takes_every_setting_of_the_table() {
+    QFETCH(QString, name);
+    QFETCH(QString, word);
+    QFETCH(bool, good);
+    HierarchyOptions options;
+    CLI::App app;
+    add_setting(app, options, setting(name.toStdString()).name);
+    const auto parse = [&] {
+        app.parse(std::vector<std::string>{word.toStdString(), "--" + name.toStdString()});
+    };
+    QCOMPARE(setting(name.toStdString()).accepts(word.toStdString()), good);
+    if (good) {
+        parse();
+        QCOMPARE(setting(name.toStdString()).value(options), word.toStdString());
+    } else {
+        QVERIFY_EXCEPTION_THROWN(parse(), CLI::ParseError);
     }
-    QVERIFY_EXCEPTION_THROWN((void)chosen_mean("harmonic"), UsageError);
 }
 
 QTEST_APPLESS_MAIN(OptionsTest)

@@ -34,6 +34,13 @@ double quality_in(const Corners<D>& points, const MetricField<D>& target) {
 }
 
 template <int D>
+MetricQualities qualities_in(const Corners<D>& points, const MetricField<D>& target) {
+    std::array<Metric<D>, D + 1> natural;
+    std::copy(target.begin(), target.end(), natural.begin());
+    return metric_qualities<D>(points, natural);
+}
+
+template <int D>
 Corners<D> mapped_regular(const Mat<D>& A) {
     const Mat<D> W = reference::regular_edges<D>();
     Corners<D> x;
@@ -84,6 +91,9 @@ void rate_regular_simplices() {
                     1e-14);
         QCOMPARE_LE(std::abs(quality_in<D>(mapped_regular<D>(I / factor), target) - expected),
                     1e-14);
+        const MetricQualities q = qualities_in<D>(mapped_regular<D>(I * factor), target);
+        QCOMPARE_LE(std::abs(q.original - expected), 1e-14);
+        QCOMPARE_LE(std::abs(q.modified - expected * expected), 1e-14); // edges and volume
     }
     double last = 1;
     for (const double stretch : {1.5, 3.0, 30.0}) { // at constant volume
@@ -135,6 +145,7 @@ void compare_with_eigenvalues() {
         QCOMPARE_GT(q, 0.0);
         QCOMPARE_LE(q, 1.0);
         QCOMPARE_LE(std::abs(q - direct_quality<D>(x, target)), 1e-10 * q);
+        QCOMPARE_LE(std::abs(q - qualities_in<D>(x, target).original), 1e-10 * q);
         // Turned together with its metric, an element keeps its quality.
         const Mat<D> Q = reference::random_rotation<D>(random);
         for (Vec<D>& p : x) {
