@@ -31,8 +31,8 @@ Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
             return 0.8 * static_cast<double>(n) / static_cast<double>(job.levels.size());
         };
         MonitorPart part(monitor, share(k), share(k + 1));
-        auto data = std::visit(
-            [&](const auto& input) { return make_scene_data(input, part); }, job.levels[k]);
+        auto data = std::visit([&](const auto& input) { return make_scene_data(input, part); },
+                               job.levels[k]);
         SceneOptions options = job.scene;
         if (job.hide_outer) {
             options.hidden_patches.merge(patches_hidden_at_first(*data));
