@@ -109,8 +109,9 @@ private:
                         Session& session) const {
         if (content.hierarchy.levels.back().statistics.nodes > most_coarse_nodes) {
             session.monitor.message(Severity::warning,
-                                    folder_ + ": multigrid is not measured, since the coarsest "
-                                              "level has more than " +
+                                    folder_ +
+                                        ": multigrid is not measured, since the coarsest "
+                                        "level has more than " +
                                         count_text(most_coarse_nodes) +
                                         " nodes: make more levels with --resume");
             return;
@@ -124,8 +125,8 @@ private:
             if (session.monitor.stop_requested()) {
                 throw Cancelled();
             }
-            session.monitor.progress(
-                0.5 + 0.15 * static_cast<double>(content.cycles.size()), "multigrid");
+            session.monitor.progress(0.5 + 0.15 * static_cast<double>(content.cycles.size()),
+                                     "multigrid");
             const LevelEquations equations =
                 level_equations(meshes, transfers, ModelProblem<D>(), cycle.kind);
             CycleOptions options;
@@ -144,9 +145,8 @@ private:
         std::vector<std::string> written;
         const auto write = [&](const std::string& suffix, const std::string& text) {
             const fs::path page(output_);
-            const fs::path file = suffix.empty()
-                                      ? page
-                                      : page.parent_path() / (page.stem().string() + suffix);
+            const fs::path file =
+                suffix.empty() ? page : page.parent_path() / (page.stem().string() + suffix);
             write_whole_file(file, text);
             written.push_back(file.string());
         };

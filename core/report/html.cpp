@@ -114,7 +114,8 @@ std::string facts(const std::vector<std::pair<std::string, std::string>>& facts)
 }
 
 std::string section(const std::string& id, const std::string& title, const std::string& body) {
-    return "<section id=\"" + id + "\"><h2>" + xml_escaped(title) + "</h2>\n" + body + "</section>\n";
+    return "<section id=\"" + id + "\"><h2>" + xml_escaped(title) + "</h2>\n" + body +
+           "</section>\n";
 }
 
 std::string figure(const std::string& svg, const std::string& caption) {

@@ -24,8 +24,8 @@ std::string paragraph(const std::string& text) {
 std::string tiles(const Facts& facts) {
     std::string out = "<div class=\"tiles\">\n";
     for (const auto& [name, value] : facts) {
-        out += "<div><b>" + xml_escaped(value) + "</b><span>" + xml_escaped(name) +
-               "</span></div>\n";
+        out +=
+            "<div><b>" + xml_escaped(value) + "</b><span>" + xml_escaped(name) + "</span></div>\n";
     }
     return out + "</div>\n";
 }
@@ -155,10 +155,9 @@ std::string multigrid_body(const std::vector<ReportedCycle>& cycles) {
                       {}};
     std::vector<ConvergenceCurve> curves;
     for (const ReportedCycle& c : cycles) {
-        table.rows.push_back({c.title, ratio_text(c.operator_complexity),
-                              number_text(c.study.work_per_cycle, 3),
-                              number_text(c.study.factor, 3),
-                              std::to_string(c.study.krylov.iterations)});
+        table.rows.push_back(
+            {c.title, ratio_text(c.operator_complexity), number_text(c.study.work_per_cycle, 3),
+             number_text(c.study.factor, 3), std::to_string(c.study.krylov.iterations)});
         curves.push_back({c.title, c.study.krylov.residuals});
     }
     return paragraph("Poisson's equation with linear elements, Dirichlet conditions on the whole "
@@ -186,17 +185,17 @@ std::string report_page(const ReportContent& content) {
                                               "classes halve from the finest level's largest") +
              html::text_of(classes_table(h))}};
     if (!content.sections.empty()) {
-        sections.push_back({"layers", "Near the wall",
-                            html::figure(content.sections,
-                                         "Each level at the place where the finest mesh is "
-                                         "stretched most")});
+        sections.push_back(
+            {"layers", "Near the wall",
+             html::figure(content.sections, "Each level at the place where the finest mesh is "
+                                            "stretched most")});
     }
     sections.push_back({"quality", "Quality and conformity",
                         html::text_of(conformity_table(h)) +
                             paragraph("Level 0 in its natural metric, the others in the metric "
                                       "that was asked for.")});
-    sections.push_back({"geometry", "Geometry",
-                        html::text_of(geometry_table(h)) + warnings_body(h)});
+    sections.push_back(
+        {"geometry", "Geometry", html::text_of(geometry_table(h)) + warnings_body(h)});
     if (!content.cycles.empty()) {
         sections.push_back({"multigrid", "Multigrid", multigrid_body(content.cycles)});
     }
@@ -218,8 +217,7 @@ std::string report_page(const ReportContent& content) {
         names.emplace_back(id, title);
         body += html::section(id, title, text);
     }
-    return html::page(mesh_name(h) + ": mesh hierarchy",
-                      head(content) + navigation(names) + body);
+    return html::page(mesh_name(h) + ": mesh hierarchy", head(content) + navigation(names) + body);
 }
 
 } // namespace ameco

@@ -145,17 +145,16 @@ html::Table removals_table(const Hierarchy& hierarchy) {
 
 html::Table times_table(const std::vector<LevelTiming>& timings) {
     html::Table table;
-    table.columns = {{"level"},  {"metric"}, {"order"},      {"first pass"},
-                     {"remove"}, {"swap"},   {"check"},      {"statistics"},
+    table.columns = {{"level"},  {"metric"},   {"order"},   {"first pass"},
+                     {"remove"}, {"swap"},     {"check"},   {"statistics"},
                      {"write"},  {"transfer"}, {"all [s]"}, {"peak memory"}};
     for (const LevelTiming& t : timings) {
-        table.rows.push_back({std::to_string(t.level), seconds_text(t.phases.metric),
-                              seconds_text(t.phases.order), seconds_text(t.phases.first_pass),
-                              seconds_text(t.phases.remove), seconds_text(t.phases.swap),
-                              seconds_text(t.phases.check), seconds_text(t.statistics),
-                              seconds_text(t.write), seconds_text(t.transfer),
-                              seconds_text(t.total()),
-                              bytes_text(static_cast<double>(t.peak_memory))});
+        table.rows.push_back(
+            {std::to_string(t.level), seconds_text(t.phases.metric), seconds_text(t.phases.order),
+             seconds_text(t.phases.first_pass), seconds_text(t.phases.remove),
+             seconds_text(t.phases.swap), seconds_text(t.phases.check), seconds_text(t.statistics),
+             seconds_text(t.write), seconds_text(t.transfer), seconds_text(t.total()),
+             bytes_text(static_cast<double>(t.peak_memory))});
     }
     return table;
 }

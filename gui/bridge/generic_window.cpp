@@ -43,7 +43,7 @@ void GenericWindow::drawOffSide() {
     SetReadyForRendering(false);
     SetFrameBlitModeToNoBlit();
     SetOwnContext(0);
-    SetMultiSamples(4);
+    SetMultiSamples(smooth_samples);
     SetSupportsOpenGL(1);
     SetIsDirect(1);
     SetAlphaBitPlanes(1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gui/scene/mesh_scene_impl.h"
 
+#include "gui/bridge/generic_window.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -299,6 +301,7 @@ void MeshScene::Impl::place_camera() {
 }
 
 void MeshScene::Impl::set_appearance() {
+    window->SetMultiSamples(interactive ? 0 : smooth_samples);
     const Rgb& background = options.dark ? dark_background : light_background;
     set_background(renderer, background, transparent);
     set_background(margin_, background, transparent);

@@ -24,8 +24,8 @@ private slots:
 
 namespace {
 
-const QStringList commands{"info",   "check",   "metric",  "coarsen", "transfer", "multigrid",
-                           "render", "convert", "formats", "case",    "window"};
+const QStringList commands{"info",   "check",  "metric",  "coarsen", "transfer", "multigrid",
+                           "render", "report", "convert", "formats", "case",     "window"};
 
 void add_command_rows() {
     QTest::addColumn<QString>("command");

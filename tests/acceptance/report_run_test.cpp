@@ -31,8 +31,8 @@ void ReportRunTest::initTestCase() {
 void ReportRunTest::writes_a_page_tables_and_pictures() {
     const Run run = here_.ameco({"report", "levels", "-o", "out.html"});
     QVERIFY2(run.code == 0, run.text());
-    const QStringList files{"out.html",          "out_levels.csv",    "out_classes.csv",
-                            "out_quality.csv",   "out_histogram.svg", "out_layers.svg",
+    const QStringList files{"out.html",           "out_levels.csv",    "out_classes.csv",
+                            "out_quality.csv",    "out_histogram.svg", "out_layers.svg",
                             "out_convergence.svg"};
     QCOMPARE(run.out.trimmed().split('\n'), files);
     const QByteArray page = here_.content("out.html");
@@ -49,8 +49,8 @@ void ReportRunTest::writes_a_page_tables_and_pictures() {
 void ReportRunTest::gives_the_same_bytes_without_times() {
     QByteArray first;
     for (const QString threads : {"1", "2"}) {
-        const Run run = here_.ameco({"report", "levels", "-o", "same.html", "--no-times",
-                                     "--threads", threads});
+        const Run run = here_.ameco(
+            {"report", "levels", "-o", "same.html", "--no-times", "--threads", threads});
         QVERIFY2(run.code == 0, run.text());
         const QByteArray page = here_.content("same.html");
         QVERIFY(!page.contains("id=\"times\""));
@@ -71,7 +71,8 @@ void ReportRunTest::refuses_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("part");
-    QTest::newRow("no folder") << QStringList{"report", "nowhere", "-o", "a.html"} << 4 << "nowhere";
+    QTest::newRow("no folder") << QStringList{"report", "nowhere", "-o", "a.html"} << 4
+                               << "nowhere";
     QTest::newRow("no page") << QStringList{"report", "levels", "-o", "a.pdf"} << 2 << ".html";
     QTest::newRow("no place") << QStringList{"report", "levels", "-o", "no/a.html"} << 4 << "no";
 }
@@ -105,7 +106,8 @@ void ReportRunTest::a_browser_shows_it_without_a_complaint_or_a_request() {
     QVERIFY2(!log.contains(":CONSOLE"), log.constData());
     // Nothing is asked for but the page itself; the browser's own business has other names.
     const QString requests = QString::fromUtf8(here_.content("net.json"));
-    const QRegularExpression other("\"url\":\"(?!file:|data:|chrome|devtools|about:)[^\"]*w3[^\"]*\"");
+    const QRegularExpression other(
+        "\"url\":\"(?!file:|data:|chrome|devtools|about:)[^\"]*w3[^\"]*\"");
     QVERIFY2(!other.match(requests).hasMatch(), qPrintable(other.match(requests).captured()));
     const QImage picture(here_.path("shown.png"));
     QCOMPARE(picture.size(), QSize(1280, 3000));

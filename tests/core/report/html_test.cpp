@@ -51,12 +51,18 @@ void HtmlTest::tables_have_a_cell_per_column() {
 void HtmlTest::values_for_programs_are_plain_numbers_data() {
     QTest::addColumn<QString>("cell");
     QTest::addColumn<QString>("value");
-    QTest::newRow("grouped digits") << "67,455" << "67455";
-    QTest::newRow("per cent") << "12.3 %" << "12.3";
-    QTest::newRow("small") << "1.2e-09" << "1.2e-09";
-    QTest::newRow("text with a comma") << "inlet, left" << "\"inlet, left\"";
-    QTest::newRow("text with quotes") << "the \"wing\", tip" << "\"the \"\"wing\"\", tip\"";
-    QTest::newRow("text with blanks") << "1 to 2" << "1 to 2";
+    QTest::newRow("grouped digits") << "67,455"
+                                    << "67455";
+    QTest::newRow("per cent") << "12.3 %"
+                              << "12.3";
+    QTest::newRow("small") << "1.2e-09"
+                           << "1.2e-09";
+    QTest::newRow("text with a comma") << "inlet, left"
+                                       << "\"inlet, left\"";
+    QTest::newRow("text with quotes") << "the \"wing\", tip"
+                                      << "\"the \"\"wing\"\", tip\"";
+    QTest::newRow("text with blanks") << "1 to 2"
+                                      << "1 to 2";
 }
 
 void HtmlTest::values_for_programs_are_plain_numbers() {

@@ -47,8 +47,8 @@ void ReportPageTest::initTestCase() {
 
 void ReportPageTest::tables_have_a_row_per_level() {
     const Hierarchy& h = content_.hierarchy;
-    for (const html::Table& table : {levels_table(h), conformity_table(h), geometry_table(h),
-                                     times_table(content_.timings)}) {
+    for (const html::Table& table :
+         {levels_table(h), conformity_table(h), geometry_table(h), times_table(content_.timings)}) {
         QCOMPARE(table.rows.size(), h.levels.size());
         for (const auto& row : table.rows) {
             QCOMPARE(row.size(), table.columns.size());
