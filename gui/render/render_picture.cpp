@@ -26,13 +26,15 @@ using Scenes = std::vector<std::unique_ptr<MeshScene>>;
 
 Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
     Scenes scenes;
+    const AbsentMetric absent =
+        has_scale(job.scene.colour) ? AbsentMetric::make : AbsentMetric::leave_out;
     for (std::size_t k = 0; k < job.levels.size(); ++k) {
         const auto share = [&](std::size_t n) {
             return 0.8 * static_cast<double>(n) / static_cast<double>(job.levels.size());
         };
         MonitorPart part(monitor, share(k), share(k + 1));
-        auto data = std::visit([&](const auto& input) { return make_scene_data(input, part); },
-                               job.levels[k]);
+        auto data = std::visit(
+            [&](const auto& input) { return make_scene_data(input, part, absent); }, job.levels[k]);
         SceneOptions options = job.scene;
         if (job.hide_outer) {
             options.hidden_patches.merge(patches_hidden_at_first(*data));
