@@ -189,7 +189,7 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
     result.scale_label = scenes.front()->scale_label();
     monitor.progress(0.9, "drawing");
     gl.window()->Render();
-    Picture picture = averaged(gl.window()->readPixels(), job.width, job.height);
+    Picture picture = averaged(gl.window()->readPixels(!job.transparent), job.width, job.height);
     for (const auto& scene : scenes) {
         scene->attach(nullptr);
     }
