@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "gui/model/document.h"
-#include "gui/scene/colour_map.h"
+#include "gui/scene/scene_values.h"
 
 #include <algorithm>
 
@@ -158,7 +158,7 @@ void PatchModel::rebuild() {
     if (document_.isOpen()) {
         const CaseLevel& finest = document_.levels().front();
         for (const auto& [patch, patch_name] : document_.patches()) {
-            const Rgb c = category_colour(rows_.size());
+            const Rgb c = patch_colour(*finest.scene, patch);
             rows_.push_back({patch, QString::fromStdString(patch_name), QColor(c[0], c[1], c[2]),
                              count_of(*finest.scene, patch)});
         }

@@ -193,7 +193,8 @@ void MainWindowTest::a_clip_plane_takes_a_part_away() {
     Window w;
     QVERIFY(w.exposed());
     QVERIFY(w.open(sample("layer.meshb")));
-    w.views().standardView(StandardView::plus_y);
+    w.views().standardView(StandardView::plus_z);
+    w.views().resetCamera();
     QVERIFY(w.drawn());
     const double before = w.covered();
     w.viewPanel().clipAcross(0);
