@@ -183,6 +183,7 @@ void MainWindow::connectJobs() {
 
 void MainWindow::endJob(JobEnd end, const QString& reason) {
     coarsen_->showEnd();
+    controller_->dropSketch();
     switch (end) {
     case JobEnd::failed:
         session_.reset();

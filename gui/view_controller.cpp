@@ -9,6 +9,7 @@ namespace ameco::gui {
 
 ViewController::ViewController(Document& document, CompareView& views, QObject* parent)
     : QObject(parent), document_(document), views_(views) {
+    connect(&document, &Document::sketched, this, &ViewController::sketch);
     connect(&document, &Document::opened, this, &ViewController::openAll);
     connect(&document, &Document::closed, this, &ViewController::openAll);
     connect(&document, &Document::currentChanged, this, &ViewController::follow);
@@ -66,6 +67,36 @@ void ViewController::showLevel(int view, int level_id) {
     emit shownLevelsChanged();
 }
 
+void ViewController::sketch(const std::shared_ptr<const SceneData>& scene) {
+    SceneOptions plain = options_;
+    plain.clip.enabled = false;
+    plain.lens.enabled = false;
+    plain.range.reset();
+    plain.colour = ColourBy::patch; // others have to be measured first
+    plain.ellipsoids.where = EllipsoidOptions::Where::none;
+    plain.hidden_patches = patches_hidden_at_first(*scene);
+    for (int v = 0; v < views_.viewCount(); ++v) {
+        MeshView& view = views_.view(v);
+        view.setData(nullptr);
+        view.mark(std::nullopt);
+        view.highlight({});
+        view.setData(scene);
+        view.setOptions(plain);
+    }
+    views_.resetCamera();
+    sketched_ = true;
+}
+
+void ViewController::dropSketch() {
+    if (sketched_) {
+        sketched_ = false;
+        for (int v = 0; v < views_.viewCount(); ++v) {
+            show(v);
+        }
+        views_.resetCamera();
+    }
+}
+
 void ViewController::openAll() {
     picked_.reset();
     classes_.clear();
@@ -80,10 +111,15 @@ void ViewController::openAll() {
     }
     for (int v = 0; v < views_.viewCount(); ++v) {
         shown_.at(static_cast<std::size_t>(v)) = id;
-        views_.view(v).setData(nullptr);
+        if (!sketched_) {
+            views_.view(v).setData(nullptr);
+        }
         show(v);
     }
-    views_.resetCamera();
+    if (!sketched_) { // else somebody may have turned it already
+        views_.resetCamera();
+    }
+    sketched_ = false;
     emit optionsChanged(options_);
     emit nodePicked();
     emit shownLevelsChanged();

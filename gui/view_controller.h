@@ -45,12 +45,16 @@ public:
     void highlightClasses(const std::set<int>& classes);
     [[nodiscard]] std::size_t highlightedCount() const { return highlighted_; }
 
+    /// Shows the document's levels again, when a mesh that was sketched has not been opened.
+    void dropSketch();
+
 signals:
     void optionsChanged(const ameco::gui::SceneOptions& options); ///< by hand, in a view
     void nodePicked();
     void shownLevelsChanged();
 
 private:
+    void sketch(const std::shared_ptr<const SceneData>& scene);
     void openAll();
     void follow();
     void refresh(int level_id);
@@ -64,6 +68,7 @@ private:
     SceneOptions options_;
     std::array<int, 4> shown_{-1, -1, -1, -1};
     int active_ = 0;
+    bool sketched_ = false; ///< the views show a mesh that is not open yet
     std::optional<PickedNode> picked_;
     std::set<int> classes_;
     std::size_t highlighted_ = 0;

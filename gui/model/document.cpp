@@ -152,8 +152,11 @@ void Document::open(const QString& path) {
         const std::filesystem::path file = path.toStdString();
         const bool hierarchy =
             std::filesystem::is_directory(file) || file.filename() == "hierarchy.json";
+        const auto sketch = [this, &job](std::shared_ptr<const SceneData> scene) {
+            job.post([this, scene = std::move(scene)] { emit sketched(scene); });
+        };
         const auto loaded =
-            parcel(hierarchy ? read_hierarchy_case(file, job) : read_case(file, job));
+            parcel(hierarchy ? read_hierarchy_case(file, job) : read_case(file, sketch, job));
         job.post([this, loaded] { take(std::move(loaded->file), std::move(loaded->levels)); });
     });
 }
