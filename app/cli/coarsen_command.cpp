@@ -10,6 +10,7 @@
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/hierarchy_json.h"
 #include "core/hierarchy/pictures.h"
+#include "core/io/format.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -30,6 +31,41 @@ bool is_empty_folder(const fs::path& folder) {
     return !failure && entries == fs::directory_iterator();
 }
 
+/// A format that levels can be written in beside Medit's, and the end of their names.
+struct ExportFormat {
+    std::string name;   ///< as the user gives it: a format's name, or one of its further suffixes
+    std::string format; ///< its name in the table
+    std::string suffix;
+};
+
+/// All of them: those that hold a mesh with volume.
+std::vector<ExportFormat> export_formats() {
+    std::vector<ExportFormat> result;
+    for (const Format& format : formats()) {
+        const bool medit = format.name == "medit" || format.name == "medit-text";
+        if (format.is_metric() || !format.writes() || (format.keeps & keeps_3d) == 0 || medit) {
+            continue;
+        }
+        const std::string name(format.name);
+        result.push_back({name, name, std::string(format.suffixes.front())});
+        if (format.name == "ugrid") { // its suffix says how numbers are written
+            for (std::size_t i = 1; i < format.suffixes.size(); ++i) {
+                const std::string suffix(format.suffixes[i]);
+                result.push_back({suffix.substr(1), name, suffix});
+            }
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> level_formats() {
+    std::vector<std::string> names{"meshb", "mesh"};
+    for (const ExportFormat& format : export_formats()) {
+        names.push_back(format.name);
+    }
+    return names;
+}
+
 class CoarsenCommand : public Command {
 public:
     [[nodiscard]] CommandHelp help() const override {
@@ -46,7 +82,8 @@ public:
              {"coarsen wing.meshb -o levels --isotropic-below 1 --mean corrected",
               "sizes as the paper has them"}},
             "The folder gets hierarchy.json (statistics of all levels), level_k.meshb (level 0 "
-            "is MESH itself), metric_k.solb (natural metrics), state_k.cbor (for --resume) and "
+            "is MESH itself; the levels in the format of --format beside them), metric_k.solb "
+            "(natural metrics), state_k.cbor (for --resume) and "
             "timing.json. Ctrl-C keeps the levels that are finished.\n"
             "Columns: predicted: nodes the metric asks for; of that: nodes there are, as a "
             "share of it; AR: aspect ratio of the nodes; in band: edges of length 0.71 - 1.41 "
@@ -63,9 +100,16 @@ public:
             ->required();
         levels_ = add_setting(app, options_, "levels", "Options", "n");
         add_setting(app, options_, "until-isotropic");
-        app.add_option("--format", format_, "format of the levels: meshb (binary) or mesh (text)")
+        std::string others;
+        for (const ExportFormat& format : export_formats()) {
+            others += (others.empty() ? "" : ", ") + format.name;
+        }
+        app.add_option("--format", format_,
+                       "format of the levels: meshb (binary) or mesh (text); or one that all "
+                       "levels are written in too, beside meshb: " +
+                           others)
             ->type_name("NAME")
-            ->check(one_of({"meshb", "mesh"}))
+            ->check(one_of(level_formats()))
             ->capture_default_str();
         app.add_flag("--copy-input", copy_input_,
                      "put a copy of MESH into the folder, so that the folder is complete");
@@ -162,7 +206,16 @@ private:
         Hierarchy h;
         h.program = std::string("ameco ") + AMECO_VERSION;
         h.dimension = dimension;
-        h.mesh_suffix = "." + format_;
+        if (format_ == "meshb" || format_ == "mesh") {
+            h.mesh_suffix = "." + format_;
+        } else {
+            for (const ExportFormat& format : export_formats()) {
+                if (format.name == format_) {
+                    h.export_format = format.format;
+                    h.export_suffix = format.suffix;
+                }
+            }
+        }
         h.options = options_;
         h.input.copied = copy_input_;
         h.input.format = input.file.format;
@@ -219,7 +272,7 @@ private:
         }
         const LevelSink<D> sink = [&](const Level<D>& level, const LevelStatistics& statistics,
                                       const LevelTiming& timing) {
-            folder.add_level(level, statistics, timing);
+            say_once(folder.add_level(level, statistics, timing), session);
             if (transfers) {
                 transfers->add(level, statistics.level);
             }
@@ -240,6 +293,15 @@ private:
             print_summary(session, folder, end);
         }
         return exit_code(folder.hierarchy());
+    }
+
+    /// What the format of the levels cannot carry is said of the first level that it is true of.
+    void say_once(const std::vector<std::string>& notes, Session& session) {
+        for (const std::string& note : notes) {
+            if (said_.insert(note).second) {
+                session.monitor.message(Severity::warning, "--format " + format_ + ": " + note);
+            }
+        }
     }
 
     template <int D>
@@ -329,6 +391,7 @@ private:
     std::vector<double> factors_;
     CLI::Option* levels_ = nullptr;
     std::string format_ = "meshb";
+    std::set<std::string> said_;
     std::vector<std::string> freeze_;
     bool copy_input_ = false;
     bool pictures_ = false;

@@ -12,6 +12,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
     commands.push_back(make_transfer_command());
     commands.push_back(make_multigrid_command());
     commands.push_back(make_render_command());
+    commands.push_back(make_report_command());
     commands.push_back(make_convert_command());
     commands.push_back(make_formats_command());
     commands.push_back(make_case_command());

@@ -14,6 +14,7 @@ namespace ameco::cli {
 [[nodiscard]] std::unique_ptr<Command> make_transfer_command();
 [[nodiscard]] std::unique_ptr<Command> make_multigrid_command();
 [[nodiscard]] std::unique_ptr<Command> make_render_command();
+[[nodiscard]] std::unique_ptr<Command> make_report_command();
 [[nodiscard]] std::unique_ptr<Command> make_convert_command();
 [[nodiscard]] std::unique_ptr<Command> make_formats_command();
 [[nodiscard]] std::unique_ptr<Command> make_case_command();

@@ -90,6 +90,15 @@ public:
         print_table(session.out, false);
         session.out << "\nmetrics\n";
         print_table(session.out, true);
+        std::string absent;
+        for (const Format& format : formats()) {
+            if (!format.reads() && !format.writes()) {
+                absent += (absent.empty() ? "" : ", ") + std::string(format.name);
+            }
+        }
+        if (!absent.empty()) {
+            session.out << "\nleft out of this build: " << absent << '\n';
+        }
         return ExitCode::ok;
     }
 };

@@ -69,34 +69,44 @@ void add_levels_of(const fs::path& folder, const Hierarchy& hierarchy, const Ren
     }
 }
 
-/// Unit normal, out of the domain, of the boundary face nearest to a place.
+/// Remembers the normal of the nearest face; of equally near ones that of the largest. At the foot
+/// of a layer's edge this is the wall, and not the thin side of the domain.
+struct NearestFace {
+    double distance = std::numeric_limits<double>::infinity();
+    double size = 0;
+    Vec<3> normal = Vec<3>::UnitZ();
+
+    /// \param scaled_normal  its length is a measure of the face
+    void offer(double d, const Vec<3>& scaled_normal) {
+        const double length = scaled_normal.norm();
+        const bool equal = std::abs(d - distance) <= 1e-12 * std::max(d, distance);
+        if (length > 0 && (equal ? length > size : d < distance)) {
+            distance = d;
+            size = length;
+            normal = scaled_normal / length;
+        }
+    }
+};
+
+/// Unit normal, out of the domain, of the boundary at the place nearest to `place`.
 Vec<3> wall_normal(const Mesh<3>& mesh, const Vec<3>& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    Vec<3> normal(0, 0, 1);
+    NearestFace nearest;
     for (const Facet<3>& face : mesh.faces) {
         const std::array<Vec<3>, 3> x{mesh.points[face[0]], mesh.points[face[1]],
                                       mesh.points[face[2]]};
-        const Vec<3> n = (x[1] - x[0]).cross(x[2] - x[0]);
-        if (const double d = distance(place, x); d < nearest && n.norm() > 0) {
-            nearest = d;
-            normal = n.normalized();
-        }
+        nearest.offer(distance(place, x), (x[1] - x[0]).cross(x[2] - x[0]));
     }
-    return normal;
+    return nearest.normal;
 }
 
 Vec<3> wall_normal(const Mesh<2>& mesh, const Vec<3>& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    Vec<3> normal(0, 1, 0);
+    NearestFace nearest;
     for (const Facet<2>& face : mesh.faces) {
         const std::array<Vec<2>, 2> x{mesh.points[face[0]], mesh.points[face[1]]};
         const Vec<2> along = x[1] - x[0];
-        if (const double d = distance(Vec<2>(place.head<2>()), x); d < nearest) {
-            nearest = d;
-            normal = Vec<3>(along[1], -along[0], 0).normalized();
-        }
+        nearest.offer(distance(Vec<2>(place.head<2>()), x), {along[1], -along[0], 0});
     }
-    return normal;
+    return nearest.normal;
 }
 
 Vec<3> position(const gui::SceneInput<3>& input, NodeId node) {

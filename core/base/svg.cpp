@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/base/svg.h"
 
+#include "core/base/text.h"
+
 #include <charconv>
 
 namespace ameco::svg {
-namespace {
-
-/// Without the characters that XML reserves.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return out;
-}
-
-} // namespace
-
 std::string number(double value, int decimals) {
     char text[64];
     const auto end =
@@ -40,7 +29,7 @@ std::string open(double width, double height) {
 
 std::string text_at(double x, double y, const std::string& text, const char* anchor) {
     return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" text-anchor=\"" + anchor +
-           "\" fill=\"#222222\">" + escaped(text) + "</text>\n";
+           "\" fill=\"#222222\">" + xml_escaped(text) + "</text>\n";
 }
 
 } // namespace ameco::svg

@@ -80,4 +80,27 @@ std::string plural(std::int64_t count, const std::string& one) {
     return count_text(count) + " " + one + (count == 1 ? "" : "s");
 }
 
+std::string xml_escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '&':
+            out += "&amp;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
 } // namespace ameco

@@ -18,6 +18,8 @@ namespace ameco {
 [[nodiscard]] std::string ratio_text(double ratio);
 /// "1.3 GB" (powers of ten).
 [[nodiscard]] std::string bytes_text(double bytes);
+/// Without the characters that XML and HTML reserve, quotes included.
+[[nodiscard]] std::string xml_escaped(const std::string& text);
 /// "1 node", "2 nodes".
 [[nodiscard]] std::string plural(std::int64_t count, const std::string& one);
 

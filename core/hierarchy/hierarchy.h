@@ -101,6 +101,7 @@ struct HierarchyLevel {
     HashedFile metric; ///< natural metric
     HashedFile state;  ///< what the next coarsening needs besides (level_state.h); level 0: none
     std::optional<TransferFiles> transfer; ///< to the next finer level, if it was asked for
+    std::vector<HashedFile> exports; ///< the mesh in another format, and what belongs to that file
     LevelStatistics statistics;
 };
 
@@ -116,6 +117,8 @@ struct Hierarchy {
     std::string program; ///< "ameco 0.1.0"
     int dimension = 3;
     std::string mesh_suffix = ".meshb"; ///< of the level files: ".meshb" or ".mesh"
+    std::string export_format; ///< each level is written in it too (io/format.h); "" for none
+    std::string export_suffix; ///< of these files, ".su2"
     HierarchyStatus status = HierarchyStatus::in_progress;
     HierarchyOptions options;
     HierarchyInput input;

@@ -76,6 +76,9 @@ std::vector<std::string> listed_files(const Hierarchy& hierarchy) {
                 names.push_back(file->name);
             }
         }
+        for (const HashedFile& file : level.exports) {
+            names.push_back(file.name);
+        }
     }
     return names;
 }
@@ -102,6 +105,20 @@ void remove_others(const fs::path& folder, const Hierarchy& hierarchy) {
             }
         }
     }
+}
+
+/// Files in the folder that are called level_k and something.
+std::vector<std::string> files_of_level(const fs::path& folder, int level) {
+    const std::string begin = "level_" + std::to_string(level) + ".";
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        std::string name = entry.path().filename().string();
+        if (name.compare(0, begin.size(), begin) == 0) {
+            names.push_back(std::move(name));
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 template <int D>
@@ -139,8 +156,27 @@ HierarchyFolder::HierarchyFolder(fs::path folder, const fs::path& source, Hierar
 }
 
 template <int D>
-void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& statistics,
-                                LevelTiming timing) {
+std::vector<std::string> HierarchyFolder::write_export(const Mesh<D>& mesh, int level,
+                                                       HierarchyLevel& entry) const {
+    const std::string& suffix = hierarchy_.export_suffix;
+    if (hierarchy_.export_format.empty() || (level == 0 && entry.mesh.name.ends_with(suffix))) {
+        return {}; // not asked for, or the input is in that format
+    }
+    auto notes = write_mesh(folder_ / ("level_" + std::to_string(level) + suffix), mesh,
+                            {.format = hierarchy_.export_format});
+    // Some formats are several files.
+    for (const std::string& name : files_of_level(folder_, level)) {
+        if (name != entry.mesh.name) {
+            entry.exports.push_back(hashed(folder_, name));
+        }
+    }
+    return notes;
+}
+
+template <int D>
+std::vector<std::string> HierarchyFolder::add_level(const Level<D>& level,
+                                                    const LevelStatistics& statistics,
+                                                    LevelTiming timing) {
     const Stopwatch watch;
     const std::string number = std::to_string(statistics.level);
     HierarchyLevel entry;
@@ -159,10 +195,12 @@ void HierarchyFolder::add_level(const Level<D>& level, const LevelStatistics& st
     const std::string metric = "metric_" + number + (text ? ".sol" : ".solb");
     write_metric(folder_ / metric, level.natural);
     entry.metric = hashed(folder_, metric);
+    std::vector<std::string> notes = write_export(level.mesh, statistics.level, entry);
     hierarchy_.levels.push_back(std::move(entry));
     timing.write = watch.seconds();
     timings_.push_back(timing);
     write_lists();
+    return notes;
 }
 
 void HierarchyFolder::add_transfer(int level, TransferFiles files, double seconds) {
@@ -201,7 +239,10 @@ std::vector<LevelTiming> read_timing(const fs::path& folder) {
 int intact_levels(const fs::path& folder, const Hierarchy& hierarchy) {
     int count = 0;
     for (const HierarchyLevel& level : hierarchy.levels) {
-        const std::array<const HashedFile*, 3> files{&level.mesh, &level.metric, &level.state};
+        std::vector<const HashedFile*> files{&level.mesh, &level.metric, &level.state};
+        for (const HashedFile& file : level.exports) {
+            files.push_back(&file);
+        }
         if (!std::all_of(files.begin(), files.end(),
                          [&](const HashedFile* file) { return file_is_intact(folder, *file); })) {
             break;
@@ -246,13 +287,15 @@ Level<D> read_level(const fs::path& folder, const Hierarchy& hierarchy, int leve
 bool is_hierarchy_file(const std::string& name) {
     // A killed run leaves files as .<name>.<process>-<count>.tmp (io/atomic_file.h).
     static const std::regex pattern(
-        R"(\.?(hierarchy\.json|timing\.json|(level|metric|state|P|parent|projected)_[0-9]+\.[a-z.]+?))"
+        R"(\.?(hierarchy\.json|timing\.json|(level|metric|state|P|parent|projected)_[0-9]+\.[a-z0-9.]+?))"
         R"((\.[0-9]+-[0-9]+\.tmp)?)");
     return std::regex_match(name, pattern);
 }
 
-template void HierarchyFolder::add_level(const Level<2>&, const LevelStatistics&, LevelTiming);
-template void HierarchyFolder::add_level(const Level<3>&, const LevelStatistics&, LevelTiming);
+template std::vector<std::string> HierarchyFolder::add_level(const Level<2>&,
+                                                             const LevelStatistics&, LevelTiming);
+template std::vector<std::string> HierarchyFolder::add_level(const Level<3>&,
+                                                             const LevelStatistics&, LevelTiming);
 template Mesh<2> read_level_mesh(const fs::path&, const Hierarchy&, int);
 template Mesh<3> read_level_mesh(const fs::path&, const Hierarchy&, int);
 template Level<2> read_level(const fs::path&, const Hierarchy&, int);

@@ -7,6 +7,8 @@
 ///     level_k.meshb     mesh of level k (k >= 1; level 0 is the input, or its copy level_0.*)
 ///     metric_k.solb     natural metric of level k
 ///     state_k.cbor      what the next coarsening needs besides (level_state.h)
+///     level_k.su2 ...   the mesh in another format too, where that was asked for; level 0 as well,
+///                       unless the input is in that format
 ///     P_k.mtx, P_k.petsc, parent_k.txt, projected_k.txt
 ///                       if asked for: transfer between the levels k + 1 and k
 ///                       (multigrid/transfer_files.h)
@@ -32,9 +34,11 @@ public:
                     Hierarchy start, std::vector<LevelTiming> timings = {});
 
     /// Writes the files of a level, then lists them. Level 0's mesh is the input's file.
-    /// \throws FileError
+    /// \return  what the format of the exports cannot carry, one line each
+    /// \throws FileError, and UsageError if that format cannot hold the mesh at all
     template <int D>
-    void add_level(const Level<D>& level, const LevelStatistics& statistics, LevelTiming timing);
+    std::vector<std::string> add_level(const Level<D>& level, const LevelStatistics& statistics,
+                                       LevelTiming timing);
 
     /// Lists files that are in the folder already: those of the transfer between `level`, at least
     /// 1, and the next finer one.
@@ -50,6 +54,9 @@ public:
 
 private:
     void write_lists() const;
+    template <int D>
+    std::vector<std::string> write_export(const Mesh<D>& mesh, int level,
+                                          HierarchyLevel& entry) const;
 
     std::filesystem::path folder_;
     Hierarchy hierarchy_;

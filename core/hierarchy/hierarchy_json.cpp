@@ -60,7 +60,9 @@ Json settings_json(const Hierarchy& h) {
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
             {"frozen_patches", o.features.frozen_patches},
-            {"mesh_suffix", h.mesh_suffix}};
+            {"mesh_suffix", h.mesh_suffix},
+            {"export_format", h.export_format},
+            {"export_suffix", h.export_suffix}};
 }
 
 Mean read_mean(const std::string& text) {
@@ -95,6 +97,8 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);
     json.at("frozen_patches").get_to(o.features.frozen_patches);
     json.at("mesh_suffix").get_to(h.mesh_suffix);
+    json.at("export_format").get_to(h.export_format);
+    json.at("export_suffix").get_to(h.export_suffix);
 }
 
 HierarchyStatus status_from_name(const std::string& text) {
@@ -116,6 +120,9 @@ Json level_json(const HierarchyLevel& level) {
     if (level.transfer) {
         json["transfer"] = to_json(*level.transfer);
     }
+    for (const HashedFile& file : level.exports) {
+        json["exports"].push_back(to_json(file));
+    }
     json.update(to_json(level.statistics));
     return json;
 }
@@ -129,6 +136,11 @@ HierarchyLevel read_level(const Json& json) {
     }
     if (json.contains("transfer")) {
         level.transfer = read_transfer(json.at("transfer"));
+    }
+    if (json.contains("exports")) {
+        for (const Json& file : json.at("exports")) {
+            level.exports.push_back(read_file(file));
+        }
     }
     from_json(json, level.statistics);
     return level;

@@ -102,8 +102,10 @@ bool layers_are_below(const Mesh<D>& mesh, const SectionView<D>& view) {
 
 std::string histogram_svg(const std::vector<AspectRatioClasses>& levels) {
     const std::size_t classes = levels.empty() ? 0 : levels[0].counts.size();
-    constexpr double left = 60, top = 40, height = 300, group = 64;
-    const double width = left + group * static_cast<double>(classes) + 20;
+    constexpr double left = 60, top = 40, height = 300, group = 64, legend_step = 110;
+    const double width = left + 20 +
+                         std::max(group * static_cast<double>(classes),
+                                  legend_step * static_cast<double>(levels.size()));
     std::vector<std::vector<double>> shares;
     double largest = 1e-9;
     for (const AspectRatioClasses& level : levels) {
@@ -142,7 +144,7 @@ std::string histogram_svg(const std::vector<AspectRatioClasses>& levels) {
                             "to " + svg::short_number(std::max(1.0, levels[0].lower(c))), "middle");
     }
     for (std::size_t k = 0; k < levels.size(); ++k) {
-        const double x = left + 110 * static_cast<double>(k);
+        const double x = left + legend_step * static_cast<double>(k);
         svg += "<rect x=\"" + svg::number(x) + "\" y=\"" + svg::number(top + height + 52) +
                "\" width=\"12\" height=\"12\" fill=\"" + svg::colours[k % svg::colours.size()] +
                "\"/>\n" + svg::text_at(x + 18, top + height + 62, "level " + std::to_string(k));

@@ -423,7 +423,7 @@ MeshFile read_now(const Source& source) {
 } // namespace
 
 MeshFile read(const Source& source) {
-    require_survival(source.name, "libcgns", static_cast<std::int64_t>(source.bytes.size()),
+    require_survival(source.name, "libcgns", {static_cast<std::int64_t>(source.bytes.size())},
                      [&] { static_cast<void>(read_now(source)); });
     return read_now(source);
 }

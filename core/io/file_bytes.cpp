@@ -61,6 +61,9 @@ private:
 } // namespace
 
 std::string unpack_gz(std::string_view packed, const std::string& name) {
+    // Text of meshes shrinks 3 to 8 times; zlib's limit, 1030, is for files that fill memories.
+    constexpr std::size_t largest_expansion = 64;
+    constexpr std::size_t spare = std::size_t{1} << 20;
     Inflater inflater(name);
     z_stream& z = inflater.stream();
     std::string result;
@@ -77,6 +80,11 @@ std::string unpack_gz(std::string_view packed, const std::string& name) {
         const int status = inflate(&z, Z_NO_FLUSH);
         taken += piece - z.avail_in;
         result.append(buffer.data(), buffer.size() - z.avail_out);
+        if (result.size() > spare + largest_expansion * packed.size()) {
+            throw InputError(
+                name + ": the gz data holds more than " + std::to_string(largest_expansion) +
+                " times its size, which no mesh does; unpack it yourself if it is one");
+        }
         if (status == Z_STREAM_END) {
             if (taken == packed.size()) {
                 return result;

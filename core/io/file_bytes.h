@@ -40,7 +40,7 @@ private:
 
 /// Unpacks gz data.
 /// \param name  of the file, for messages
-/// \throws InputError  damaged or truncated
+/// \throws InputError  damaged, truncated, or more than 64 times (and 1 MiB) larger than packed
 [[nodiscard]] std::string unpack_gz(std::string_view packed, const std::string& name);
 
 } // namespace ameco

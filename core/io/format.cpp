@@ -68,6 +68,10 @@ const Format& format_to_write(const std::filesystem::path& path, const WriteOpti
     if (format == nullptr && !options.format.empty()) {
         throw UsageError("there is no format '" + options.format + "'; ameco formats lists them");
     }
+    if (format != nullptr && !format->reads() && !format->writes()) {
+        throw Error(ExitCode::not_built, path.string() + ": " + std::string(format->title) +
+                                             " cannot be written: " + std::string(format->remark));
+    }
     if (format == nullptr || format->is_metric() != metric || !format->writes()) {
         throw UsageError(path.string() + ": cannot be written as a " +
                          (metric ? "metric" : "mesh") + "; choose a name that ends in one of " +

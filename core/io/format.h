@@ -98,6 +98,7 @@ struct Format {
 
 /// The format to write in: the one asked for, or that of the suffix.
 /// \throws UsageError  there is none, or it is only read
+/// \throws Error       (not_built) it is left out of this build
 [[nodiscard]] const Format& format_to_write(const std::filesystem::path& path,
                                             const WriteOptions& options, bool metric);
 

@@ -154,10 +154,12 @@ void MeshReader<D>::take_names(const std::vector<ReferenceString>& strings) {
         const auto label = static_cast<int>(string.number);
         const auto keyword = string.keyword == 0 ? face_keyword : string.keyword;
         if (label != string.number || string.text.empty() ||
-            (keyword != edges && keyword != triangles)) {
+            (keyword != edges && keyword != triangles && keyword != tetrahedra)) {
             ++unused_strings_;
         } else {
-            (keyword == edges ? mixed_.line_names : mixed_.face_names)[label] = string.text;
+            (keyword == edges       ? mixed_.line_names
+             : keyword == triangles ? mixed_.face_names
+                                    : mixed_.cell_names)[label] = string.text;
         }
     }
 }

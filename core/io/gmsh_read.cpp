@@ -48,6 +48,7 @@ public:
         for_each_kind(mixed_, [&](CellType type, auto& cells) { finish_cells(type, cells); });
         mixed_.line_names = names_[1];
         mixed_.face_names = names_[2];
+        mixed_.cell_names = names_[3];
         MeshFile file;
         file.format = std::string("Gmsh ") + (version_ == 2 ? "2.2" : "4.1") +
                       (binary_ ? " binary" : " text");

@@ -140,6 +140,17 @@ bool has_volume(const MixedMesh<3>& mixed) {
            0;
 }
 
+/// A mesh has no place for names of regions; their numbers stay.
+void say_region_names(const std::map<int, std::string>& names, MeshFile& file) {
+    std::string list;
+    for (const auto& [region, name] : names) {
+        list += (list.empty() ? "" : ", ") + std::to_string(region) + " " + name;
+    }
+    if (!list.empty()) {
+        file.notes.push_back("names of regions are left out: " + list);
+    }
+}
+
 /// Mesh with volume, or a surface.
 Mesh<3> to_solid(MixedMesh<3>&& mixed, MeshFile& file) {
     Mesh<3> mesh;
@@ -150,6 +161,7 @@ Mesh<3> to_solid(MixedMesh<3>&& mixed, MeshFile& file) {
     mesh.faces.raw() = std::move(mixed.triangles.nodes);
     mesh.patch.raw() = std::move(mixed.triangles.labels);
     mesh.patch_names = std::move(mixed.face_names);
+    say_region_names(mixed.cell_names, file);
     mesh.features = std::move(mixed.features);
     mesh.features.edges = std::move(mixed.lines.nodes);
     mesh.features.edge_labels = std::move(mixed.lines.labels);
@@ -204,6 +216,7 @@ Mesh<2> to_plane(MixedMesh<2>&& mixed, MeshFile& file) {
     mesh.faces.raw() = std::move(mixed.lines.nodes);
     mesh.patch.raw() = std::move(mixed.lines.labels);
     mesh.patch_names = std::move(mixed.line_names);
+    say_region_names(mixed.face_names, file);
     mesh.features = std::move(mixed.features);
     if (const std::size_t quads = mixed.quadrilaterals.size(); quads > 0) {
         std::vector<Simplex<2>>& elements = mesh.elements.raw();
@@ -239,6 +252,9 @@ MixedMesh<2> flatten(MixedMesh<3>&& solid) {
     flat.lines = std::move(solid.lines);
     flat.triangles = std::move(solid.triangles);
     flat.quadrilaterals = std::move(solid.quadrilaterals);
+    if (solid.face_names != solid.line_names) { // .vtu names patches, whatever their dimension
+        flat.face_names = std::move(solid.face_names);
+    }
     flat.line_names = std::move(solid.line_names);
     flat.features.corners = std::move(solid.features.corners);
     flat.features.ridges = std::move(solid.features.ridges);

@@ -46,6 +46,7 @@ struct MixedMesh {
 
     std::map<int, std::string> line_names; ///< by label
     std::map<int, std::string> face_names; ///< of triangles and quadrilaterals
+    std::map<int, std::string> cell_names; ///< of cells with volume
     Features features; ///< its `edges` are the lines; faces are triangles, elements the tetrahedra
                        ///< (the triangles, in 2-D)
 };

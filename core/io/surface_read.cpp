@@ -200,10 +200,13 @@ bool read_stream(const Source& source, const std::string& suffix, Importer& impo
 
 MeshFile read(const Source& source, const std::string& suffix) {
     const Silence silence;
-    require_survival(source.name, "OpenMesh", static_cast<std::int64_t>(source.bytes.size()), [&] {
-        Importer trial;
-        read_stream(source, suffix, trial);
-    });
+    require_survival(source.name, "OpenMesh", {static_cast<std::int64_t>(source.bytes.size())},
+                     [&] {
+                         Importer trial;
+                         if (!read_stream(source, suffix, trial)) {
+                             fail(source, suffix);
+                         }
+                     });
     Importer importer;
     if (!read_stream(source, suffix, importer)) {
         fail(source, suffix);

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <new>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -33,7 +34,30 @@ void limit(int resource, std::int64_t value) {
     static_cast<void>(::setrlimit(static_cast<__rlimit_resource>(resource), &both));
 }
 
-[[noreturn]] void run_and_exit(const std::function<void()>& f, std::int64_t bytes) {
+/// What a child says of its end, before the text of an error.
+enum Kind : char { input_error = 'i', file_error = 'f', out_of_memory = 'm' };
+
+void say(int pipe, Kind kind, const std::string& text) {
+    const std::string message = std::string(1, kind) + text;
+    static_cast<void>(!::write(pipe, message.data(), message.size()));
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool with_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool with_sanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool with_sanitizer = false;
+#endif
+
+/// What the child may use beyond what there is: libraries have tables of their own. A sanitizer
+/// keeps freed memory for a while, and pads every piece.
+std::int64_t allowance(const TrialMemory& memory) {
+    constexpr std::int64_t least = std::int64_t{with_sanitizer ? 1024 : 32} << 20;
+    return least + memory.per_byte * (with_sanitizer ? 4 : 1) * memory.bytes;
+}
+
+[[noreturn]] void run_and_exit(const std::function<void()>& f, std::int64_t bytes, int pipe) {
     for (const int signal : std::array{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT}) {
         static_cast<void>(::signal(signal, SIG_DFL));
     }
@@ -46,38 +70,79 @@ void limit(int resource, std::int64_t value) {
     }
     try {
         f();
-    } catch (...) {
-        // What is thrown here will be thrown again, where somebody listens.
+    } catch (const FileError& error) {
+        say(pipe, file_error, error.what());
+    } catch (const std::bad_alloc&) {
+        say(pipe, out_of_memory, "");
+    } catch (const std::exception& error) {
+        say(pipe, input_error, error.what());
     }
     ::_exit(0); // neither buffers nor static objects are the child's to end
 }
 
-bool survives(const std::function<void()>& f, std::int64_t bytes) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        run_and_exit(f, bytes);
-    }
-    if (child < 0) {
-        return true; // no process to be had: as if there were no trials
-    }
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            return true;
+/// All that is written into the other end of a pipe until that is closed.
+std::string read_all(int pipe) {
+    std::string text;
+    std::array<char, 4096> buffer;
+    for (;;) {
+        const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
+        if (count > 0) {
+            text.append(buffer.data(), static_cast<std::size_t>(count));
+        } else if (count == 0 || errno != EINTR) {
+            return text;
         }
     }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+struct Outcome {
+    bool survived = true;
+    std::string message; ///< a Kind and a text; empty if nothing was thrown
+};
+
+Outcome try_out(const std::function<void()>& f, std::int64_t bytes) {
+    std::array<int, 2> ends;
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        return {}; // no pipe, no process to be had: as if there were no trials
+    }
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::close(ends[0]);
+        run_and_exit(f, bytes, ends[1]);
+    }
+    ::close(ends[1]);
+    Outcome outcome;
+    if (child > 0) {
+        outcome.message = read_all(ends[0]);
+        int status = 0;
+        while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        }
+        outcome.survived = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+    ::close(ends[0]);
+    return outcome;
 }
 
 } // namespace
 
-void require_survival(const std::string& name, const char* library, std::int64_t bytes,
+void require_survival(const std::string& name, const char* library, const TrialMemory& memory,
                       const std::function<void()>& read) {
-    // What a library and we need of memory for a good file, generously.
-    constexpr std::int64_t least = std::int64_t{256} << 20;
-    constexpr std::int64_t per_byte = 64;
-    if (!survives(read, least + per_byte * bytes)) {
+    const std::int64_t bytes = allowance(memory);
+    const Outcome outcome = try_out(read, bytes);
+    if (!outcome.survived) {
         throw InputError(name + ": " + library + " breaks down over it; the file is damaged");
+    }
+    if (outcome.message.empty()) {
+        return;
+    }
+    const std::string text = outcome.message.substr(1);
+    switch (outcome.message.front()) {
+    case file_error:
+        throw FileError(text);
+    case out_of_memory:
+        throw InputError(name + ": asks for more memory than the " + std::to_string(bytes >> 20) +
+                         " MiB that a file of this size can need; it is damaged");
+    default:
+        throw InputError(text);
     }
 }
 

@@ -20,17 +20,23 @@ vtkSmartPointer<vtkCellArray> cells_from(vtkTypeInt32Array* offsets, vtkTypeInt3
     return cells;
 }
 
+/// Array of `Vtk` with a tuple for each std::array.
+template <class Vtk, class Tuples>
+vtkSmartPointer<Vtk> tuples_of(const Tuples& tuples) {
+    auto array = vtkSmartPointer<Vtk>::New();
+    array->SetNumberOfComponents(static_cast<int>(std::tuple_size_v<typename Tuples::value_type>));
+    array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+    auto* to = array->GetPointer(0);
+    for (const auto& tuple : tuples) {
+        to = std::copy(tuple.begin(), tuple.end(), to);
+    }
+    return array;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Float3>& triples) {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(triples.size()));
-    float* to = array->GetPointer(0);
-    for (const Float3& x : triples) {
-        to = std::copy(x.begin(), x.end(), to);
-    }
-    return array;
+    return tuples_of<vtkFloatArray>(triples);
 }
 
 vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Float3>& triples) {
@@ -47,14 +53,11 @@ vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<float>& values) {
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgb>& colours) {
-    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
-    unsigned char* to = array->GetPointer(0);
-    for (const Rgb& c : colours) {
-        to = std::copy(c.begin(), c.end(), to);
-    }
-    return array;
+    return tuples_of<vtkUnsignedCharArray>(colours);
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgba>& colours) {
+    return tuples_of<vtkUnsignedCharArray>(colours);
 }
 
 vtkSmartPointer<vtkCellArray> to_vtk(std::span<const std::array<std::int32_t, 4>> polygons) {

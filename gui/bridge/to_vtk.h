@@ -19,11 +19,13 @@ namespace ameco::gui {
 
 using Float3 = std::array<float, 3>;
 using Rgb = std::array<unsigned char, 3>;
+using Rgba = std::array<unsigned char, 4>; ///< the last is the opacity
 
 [[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Float3>& triples);
 [[nodiscard]] vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Float3>& triples);
 [[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<float>& values);
 [[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgb>& colours);
+[[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgba>& colours);
 
 /// Triangles and quadrilaterals (the fourth index of a triangle is -1).
 [[nodiscard]] vtkSmartPointer<vtkCellArray>

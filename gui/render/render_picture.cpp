@@ -13,6 +13,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ameco::gui {
@@ -26,11 +27,12 @@ using Scenes = std::vector<std::unique_ptr<MeshScene>>;
 Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
     Scenes scenes;
     for (std::size_t k = 0; k < job.levels.size(); ++k) {
-        monitor.progress(0.8 * static_cast<double>(k) / static_cast<double>(job.levels.size()),
-                         "preparing");
-        MonitorPart silent_part(Monitor::silent(), 0, 1);
+        const auto share = [&](std::size_t n) {
+            return 0.8 * static_cast<double>(n) / static_cast<double>(job.levels.size());
+        };
+        MonitorPart part(monitor, share(k), share(k + 1));
         auto data = std::visit(
-            [&](const auto& input) { return make_scene_data(input, silent_part); }, job.levels[k]);
+            [&](const auto& input) { return make_scene_data(input, part); }, job.levels[k]);
         SceneOptions options = job.scene;
         if (job.hide_outer) {
             options.hidden_patches.merge(patches_hidden_at_first(*data));
@@ -55,6 +57,17 @@ Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
     return scenes;
 }
 
+/// Panels of the same size, the last one with a margin beside it for the legend.
+void place_side_by_side(const Scenes& scenes, vtkRenderWindow* window, double margin) {
+    const double all = window->GetSize()[0];
+    const double width = (all - margin) / static_cast<double>(scenes.size());
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const double left = std::round(static_cast<double>(k) * width);
+        const double right = k + 1 == scenes.size() ? all : std::round(left + width);
+        scenes[k]->attach(window, {left / all, 0, right / all, 1});
+    }
+}
+
 /// The same colours mean the same in all panels; the last one has the legend.
 void share_range(const Scenes& scenes) {
     std::optional<Range> all;
@@ -66,6 +79,7 @@ void share_range(const Scenes& scenes) {
                       : *range;
         }
     }
+    scenes.back()->set_legend_data(scenes.front()->data());
     for (const auto& scene : scenes) {
         SceneOptions options = scene->options();
         options.range = all;
@@ -145,16 +159,14 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
     Monitor& monitor = job.monitor != nullptr ? *job.monitor : Monitor::silent();
     const HeadlessGL gl(finer * job.width, finer * job.height);
     const Scenes scenes = make_scenes(job, monitor);
-    const double share = 1.0 / static_cast<double>(scenes.size());
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-        const double left = static_cast<double>(k) * share;
-        scenes[k]->attach(gl.window(), {left, 0, k + 1 == scenes.size() ? 1 : left + share, 1});
-    }
+    place_side_by_side(scenes, gl.window(), 0);
     const double pixel_ratio = finer * job.text_scale;
     share_range(scenes);
     for (const auto& scene : scenes) {
         scene->prepare(pixel_ratio);
     }
+    place_side_by_side(scenes, gl.window(), scenes.back()->legend_pixels());
+    scenes.front()->prepare(pixel_ratio);
     const Camera camera = look(*scenes.front(), job.look);
     if (job.node && job.node->index() >= scenes.front()->data()->node_count) {
         throw Error(ExitCode::usage,

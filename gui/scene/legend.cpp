@@ -10,6 +10,7 @@ namespace ameco::gui {
 namespace {
 
 constexpr std::size_t most_entries = 24;
+constexpr double paper_opacity = 0.72;
 
 std::string number(double value) {
     char text[32];
@@ -120,11 +121,13 @@ double round_length(double longest) {
 }
 
 void draw_scale_bar(Overlay& overlay, const Area& area, double em, double units_per_pixel,
-                    const Rgb& ink) {
+                    const Rgb& ink, const Rgb& paper) {
     const double length = round_length(0.22 * area.width * units_per_pixel);
     const double pixels = length / units_per_pixel;
     const double right = area.left + area.width - 1.2 * em;
     const double y = area.bottom + 1.4 * em;
+    overlay.fill(right - pixels - 0.6 * em, y - 0.7 * em, right + 0.6 * em, y + 1.8 * em, paper,
+                 paper_opacity);
     overlay.line(right - pixels, y, right, y, em / 6, ink);
     for (const double x : {right - pixels, right}) {
         overlay.line(x, y - em / 3, x, y + em / 3, em / 8, ink);
@@ -133,12 +136,13 @@ void draw_scale_bar(Overlay& overlay, const Area& area, double em, double units_
 }
 
 void draw_axes(Overlay& overlay, const Area& area, double em, const Vec3& right, const Vec3& up,
-               const Vec3& sight, int dimension, const Rgb& ink) {
+               const Vec3& sight, int dimension, const Rgb& ink, const Rgb& paper) {
     static constexpr Rgb colours[] = {{205, 55, 50}, {50, 150, 60}, {50, 95, 205}};
     static constexpr const char* names[] = {"x", "y", "z"};
     const double length = 3 * em;
     const double x = area.left + 4.6 * em;
     const double y = area.bottom + 4.6 * em;
+    overlay.disc(x, y, 4.3 * em, paper, paper_opacity);
     std::array<int, 3> order{0, 1, 2}; // from the back to the front
     std::sort(order.begin(), order.end(), [&](int a, int b) { return sight[a] > sight[b]; });
     for (const int k : order) {
@@ -160,13 +164,29 @@ void draw_axes(Overlay& overlay, const Area& area, double em, const Vec3& right,
     }
 }
 
-void draw_warning(Overlay& overlay, const Area& area, double em, const std::string& text) {
-    const double size = 1.25 * em;
-    const double half = Overlay::width_of(text, size, true) / 2 + em;
-    const double x = area.left + area.width / 2;
-    const double y = area.bottom + area.height - 1.8 * em;
-    overlay.fill(x - half, y - 1.1 * em, x + half, y + 1.1 * em, {255, 193, 37});
-    overlay.text(x, y, text, size, {20, 20, 20}, Align::centre, true);
+void draw_titles(Overlay& overlay, const Area& area, double em, const std::string& caption,
+                 const std::string& warning, const Rgb& ink, const Rgb& paper) {
+    const double top = area.bottom + area.height - 1.6 * em;
+    double below = top;
+    double left = area.left + area.width;
+    if (!warning.empty()) {
+        double size = 1.25 * em;
+        const double widest = area.width - 3 * em;
+        size *= std::min(1.0, widest / Overlay::width_of(warning, size, true));
+        const double half = Overlay::width_of(warning, size, true) / 2 + em;
+        const double x = area.left + area.width / 2;
+        overlay.fill(x - half, top - 1.1 * em, x + half, top + 1.1 * em, {255, 193, 37});
+        overlay.text(x, top, warning, size, {20, 20, 20}, Align::centre, true);
+        left = x - half;
+        below = top - 2.4 * em;
+    }
+    if (!caption.empty()) {
+        const double size = 1.15 * em;
+        const double right = area.left + 1.5 * em + Overlay::width_of(caption, size, true);
+        const double y = right > left ? below : top;
+        overlay.fill(area.left + 0.5 * em, y - em, right, y + em, paper, paper_opacity);
+        overlay.text(area.left + em, y, caption, size, ink, Align::left, true);
+    }
 }
 
 } // namespace ameco::gui

@@ -45,13 +45,16 @@ void draw_legend(Overlay& overlay, const Legend& legend, const Area& area, doubl
 
 /// \param units_per_pixel  [L per device pixel]
 void draw_scale_bar(Overlay& overlay, const Area& area, double em, double units_per_pixel,
-                    const Rgb& ink);
+                    const Rgb& ink, const Rgb& paper);
 
 /// The axes' directions. \param right, up, sight  of the view, orthonormal
 void draw_axes(Overlay& overlay, const Area& area, double em, const Vec3& right, const Vec3& up,
-               const Vec3& sight, int dimension, const Rgb& ink);
+               const Vec3& sight, int dimension, const Rgb& ink, const Rgb& paper);
 
-/// A warning that is not to be overlooked, at the top.
-void draw_warning(Overlay& overlay, const Area& area, double em, const std::string& text);
+/// At the top: the caption on the left, on paper that lets some of the picture through, and a
+/// warning in the middle that is not to be overlooked; below each other where the view is narrow.
+/// Either may be empty.
+void draw_titles(Overlay& overlay, const Area& area, double em, const std::string& caption,
+                 const std::string& warning, const Rgb& ink, const Rgb& paper);
 
 } // namespace ameco::gui

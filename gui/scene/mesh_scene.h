@@ -49,6 +49,9 @@ public:
     /// Text in the upper left corner; empty: the name of the data.
     void set_caption(const std::string& caption);
 
+    /// The legend explains the colours of another scene's data; null: of our own.
+    void set_legend_data(std::shared_ptr<const SceneData> data);
+
     void set_options(const SceneOptions& options);
     [[nodiscard]] const SceneOptions& options() const;
 
@@ -92,6 +95,7 @@ public:
     [[nodiscard]] std::optional<std::pair<double, double>> shown_range() const;
     /// What the picture says about its scale, e.g. "VIEW SCALED  y x 1000"; "" for a true view.
     [[nodiscard]] std::string scale_label() const;
+    [[nodiscard]] double legend_pixels() const; ///< width of the legend's margin [device pixels]
     [[nodiscard]] std::size_t shown_triangles() const;
     [[nodiscard]] std::size_t shown_ellipsoids() const;
 

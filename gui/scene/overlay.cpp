@@ -39,18 +39,20 @@ void Overlay::clear() {
     texts_used_ = 0;
 }
 
-void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, const Rgb& colour) {
+void Overlay::polygon(const std::vector<std::array<double, 2>>& corners, const Rgb& colour,
+                      double opacity) {
     std::vector<std::int32_t> ids;
     for (const auto& corner : corners) {
         ids.push_back(static_cast<std::int32_t>(points_.size()));
         points_.push_back(corner);
     }
     polygons_.push_back(std::move(ids));
-    colours_.push_back(colour);
+    const auto alpha = static_cast<unsigned char>(std::lround(255 * opacity));
+    colours_.push_back({colour[0], colour[1], colour[2], alpha});
 }
 
-void Overlay::fill(double x0, double y0, double x1, double y1, const Rgb& colour) {
-    polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, colour);
+void Overlay::fill(double x0, double y0, double x1, double y1, const Rgb& colour, double opacity) {
+    polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, colour, opacity);
 }
 
 void Overlay::line(double x0, double y0, double x1, double y1, double width, const Rgb& colour) {
@@ -62,6 +64,16 @@ void Overlay::line(double x0, double y0, double x1, double y1, double width, con
     const double ny = (x1 - x0) / length * width / 2;
     polygon({{x0 + nx, y0 + ny}, {x0 - nx, y0 - ny}, {x1 - nx, y1 - ny}, {x1 + nx, y1 + ny}},
             colour);
+}
+
+void Overlay::disc(double x, double y, double radius, const Rgb& colour, double opacity) {
+    std::vector<std::array<double, 2>> corners;
+    constexpr int pieces = 48;
+    for (int k = 0; k < pieces; ++k) {
+        const double angle = 2 * std::numbers::pi * k / pieces;
+        corners.push_back({x + radius * std::cos(angle), y + radius * std::sin(angle)});
+    }
+    polygon(corners, colour, opacity);
 }
 
 void Overlay::circle(double x, double y, double radius, double width, const Rgb& colour) {

@@ -28,9 +28,12 @@ public:
     void show_in(vtkRenderer* renderer);
 
     void clear();
-    void fill(double x0, double y0, double x1, double y1, const Rgb& colour);
-    void polygon(const std::vector<std::array<double, 2>>& corners, const Rgb& colour);
+    /// \param opacity  in [0, 1]
+    void fill(double x0, double y0, double x1, double y1, const Rgb& colour, double opacity = 1);
+    void polygon(const std::vector<std::array<double, 2>>& corners, const Rgb& colour,
+                 double opacity = 1);
     void line(double x0, double y0, double x1, double y1, double width, const Rgb& colour);
+    void disc(double x, double y, double radius, const Rgb& colour, double opacity = 1);
     void circle(double x, double y, double radius, double width, const Rgb& colour);
     /// \param y  middle of the text's height
     void text(double x, double y, const std::string& text, double size, const Rgb& colour,
@@ -47,7 +50,7 @@ private:
     vtkNew<vtkActor2D> actor_;
     std::vector<std::array<double, 2>> points_;
     std::vector<std::vector<std::int32_t>> polygons_;
-    std::vector<Rgb> colours_;
+    std::vector<Rgba> colours_;
     std::vector<vtkSmartPointer<vtkTextActor>> texts_;
     std::size_t texts_used_ = 0;
 };

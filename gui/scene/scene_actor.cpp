@@ -84,6 +84,9 @@ void SceneActor::set_lines(const std::vector<std::array<std::int32_t, 2>>& lines
 
 void SceneActor::set_vertices(std::size_t count) {
     data_->SetVerts(vertices(count));
+    // In front of the surface that the points lie on.
+    mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper_->SetRelativeCoincidentTopologyPointOffsetParameter(-40);
 }
 
 void SceneActor::colour_cells(const std::vector<Rgb>& colours) {

@@ -169,15 +169,17 @@ ClipPlane shifted(const ClipPlane& clip, const ViewFrame& frame, const Pixel& fr
 
 ClipPlane turned(const ClipPlane& clip, const ViewFrame& frame, const Pixel& from, const Pixel& to,
                  double length) {
-    const Mat<3> rotation = (Eigen::AngleAxisd((to[0] - from[0]) / length, frame.up) *
-                             Eigen::AngleAxisd(-(to[1] - from[1]) / length, frame.right))
-                                .toRotationMatrix();
     const Vec3 seen = (frame.transform.inverse.transpose() * clip.normal).normalized();
+    const Vec3 followed =
+        seen + (to[0] - from[0]) / length * frame.right + (to[1] - from[1]) / length * frame.up;
+    if (followed.norm() < 0.1) {
+        return clip;
+    }
     const Vec3 middle = frame.transform.backward(frame.focus);
     const Vec3 n = clip.normal.normalized();
     ClipPlane result = clip;
     result.origin = middle - (middle - clip.origin).dot(n) * n;
-    result.normal = (frame.transform.A.transpose() * (rotation * seen)).normalized();
+    result.normal = (frame.transform.A.transpose() * followed).normalized();
     return result;
 }
 

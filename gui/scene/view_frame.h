@@ -54,7 +54,7 @@ struct HandleShape {
 /// The plane moved along its normal, so that the handle follows the mouse.
 [[nodiscard]] ClipPlane shifted(const ClipPlane& clip, const ViewFrame& frame, const Pixel& from,
                                 const Pixel& to);
-/// The plane turned about the handle's foot.
+/// The plane turned about the handle's foot, so that the tip follows the mouse.
 [[nodiscard]] ClipPlane turned(const ClipPlane& clip, const ViewFrame& frame, const Pixel& from,
                                const Pixel& to, double length);
 

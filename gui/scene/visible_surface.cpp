@@ -35,7 +35,7 @@ const VisibleSurface& SurfaceExtractor::extract(const ClipPlane& clip,
         find_sides(clip);
     }
     add_boundary(clip, hidden_patches);
-    if (clipped_ && !boundary_only) {
+    if (clipped_ && !boundary_only && data_->dimension == 3) {
         add_inside(clip);
     }
     add_lines(clip, hidden_patches);

@@ -15,6 +15,7 @@ private slots:
     void gives_the_same_bytes_for_any_number_of_threads();
     void works_in_two_dimensions();
     void writes_text_when_asked();
+    void writes_the_format_of_a_solver_when_asked();
     void copies_the_input_when_asked();
     void freezes_patches_by_name_and_by_id();
     void refuses_patches_that_do_not_exist();
@@ -132,6 +133,25 @@ void CoarsenRunTest::writes_text_when_asked() {
     QVERIFY(here_.content("text/metric_1.sol").startsWith("MeshVersionFormatted"));
     QCOMPARE(here_.ameco({"convert", "text/level_1.mesh", "level_1.meshb"}).code, 0);
     QCOMPARE(here_.content("level_1.meshb"), here_.content("all/level_1.meshb"));
+}
+
+void CoarsenRunTest::writes_the_format_of_a_solver_when_asked() {
+    const QStringList arguments{"coarsen",  "layer.meshb", "-o",       "solver",
+                                "--levels", "1",           "--format", "dimeco"};
+    const Run run = here_.ameco(arguments);
+    QCOMPARE(run.code, 0);
+    QVERIFY2(run.err.contains("--format dimeco: left out, since AMeCo cannot hold them: names of"),
+             run.text());
+    QCOMPARE(run.err.count("left out"), 1); // not once a level
+    QCOMPARE(here_.ameco({"check", "solver/level_1.dimeco"}).code, 0);
+    // Level 1 stays as it is, level 2 is added; other commands go on working.
+    QStringList more = arguments;
+    more[5] = "2";
+    QCOMPARE(here_.ameco(more + QStringList{"--resume"}).code, 0);
+    QVERIFY(here_.files("solver").contains("level_2.dimeco"));
+    QCOMPARE(here_.ameco({"convert", "solver", "su2", "--to", "su2"}).code, 0);
+    QCOMPARE(here_.ameco({"check", "su2/level_2.su2"}).code, 0);
+    QCOMPARE(here_.ameco({"multigrid", "solver"}).code, 0);
 }
 
 void CoarsenRunTest::copies_the_input_when_asked() {

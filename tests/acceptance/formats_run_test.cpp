@@ -93,6 +93,12 @@ void FormatsRunTest::lists_the_formats() {
     }
     const auto json = here.ameco({"formats", "--json"}).json();
     QVERIFY(json.size() > 15);
+    bool all_there = true;
+    for (const auto& format : json) {
+        const bool absent = !format.at("reads").get<bool>() && !format.at("writes").get<bool>();
+        all_there = all_there && !absent;
+    }
+    QCOMPARE(table.out.contains("left out of this build: "), !all_there);
     QCOMPARE(json.at(0).at("name").get<std::string>(), std::string("medit"));
 }
 
@@ -191,7 +197,7 @@ void FormatsRunTest::writes_a_metric_into_vtu() {
     QCOMPARE(here.ameco({"case", "cube", "--n", "2", "-o", "cube.meshb"}).code, 0);
     QCOMPARE(here.ameco({"metric", "cube.meshb", "-o", "cube.solb"}).code, 0);
     const Run run = here.ameco({"convert", "cube.meshb", "cube.vtu", "--metric", "cube.solb"});
-    if (run.code == 2 && run.err.contains("cannot be written as a mesh")) {
+    if (run.code == 8) {
         QSKIP("this build leaves out VTK");
     }
     QVERIFY2(run.code == 0, run.text());

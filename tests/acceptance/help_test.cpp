@@ -20,12 +20,56 @@ private slots:
     void uses_no_colour_outside_a_terminal();
     /// docs/user/cli.md holds the help texts; AMECO_UPDATE_DOCS=1 writes it anew.
     void is_the_same_in_the_manual();
+    void is_the_same_in_the_man_page();
 };
 
 namespace {
 
 const QStringList commands{"info",   "check",   "metric",  "coarsen", "transfer", "multigrid",
                            "render", "convert", "formats", "case",    "window"};
+
+constexpr const char* conduct =
+    "Results go to standard output, everything else to standard error. `--json` gives the same\n"
+    "results for programs. On a terminal a line shows progress; elsewhere a line is printed every "
+    "10 %.\nThe first Ctrl-C asks a run to stop at the next safe place, the second one stops it at "
+    "once.\nMessages are coloured on a terminal unless `NO_COLOR` is set. No input file is ever "
+    "overwritten,\nand an output file appears whole or not at all.\n";
+
+struct ExitMeaning {
+    int code;
+    const char* meaning;
+};
+constexpr ExitMeaning exit_codes[] = {
+    {0, "done"},
+    {1, "a bug of ours: please report it"},
+    {2, "wrong usage: the message says what and where to look"},
+    {3, "a check failed: not a valid mesh (`check`), an operator that is not what it must be "
+        "(`transfer`), nothing could be coarsened (`coarsen`)"},
+    {4, "a file cannot be read or written"},
+    {5, "a file was read, but what it holds is not a usable mesh or metric"},
+    {6, "stopped early; the levels that were finished are kept"},
+    {7, "not enough memory"},
+    {8, "the feature was left out of this build, or the machine cannot do it"},
+    {130, "stopped before there was a result"}};
+
+/// As text of a man page: nothing in it is an instruction.
+QString roff(QString text) {
+    text.replace('\\', "\\e").replace('-', "\\-").replace("\n.", "\n\\&.").replace("\n'", "\n\\&'");
+    return text.endsWith('\n') || text.isEmpty() ? text : text + '\n';
+}
+
+/// Compares a page of the documentation with what it should be, or writes it when asked to.
+void compare_or_update(const QString& name, const QString& text) {
+    const QString path = QString(AMECO_SOURCE_DIR) + "/" + name;
+    if (qEnvironmentVariableIsSet("AMECO_UPDATE_DOCS")) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text.toUtf8());
+        return;
+    }
+    QVERIFY2(QString::fromUtf8(content_of(path)) == text,
+             qPrintable(name + " is out of date: run this test with AMECO_UPDATE_DOCS=1"));
+}
 
 void add_command_rows() {
     QTest::addColumn<QString>("command");
@@ -146,42 +190,38 @@ void HelpTest::uses_no_colour_outside_a_terminal() {
 
 void HelpTest::is_the_same_in_the_manual() {
     const Workspace here;
-    QString manual =
-        "# The command line\n\n"
-        "This page is written by `tests/acceptance/help_test.cpp` from the program's "
-        "own help.\n\n"
-        "Results go to standard output, everything else to standard error. `--json` "
-        "gives the same\nresults for programs. On a terminal a line shows progress; "
-        "elsewhere a line is printed every 10 %.\nThe first Ctrl-C asks a run to "
-        "stop at the next safe place, the second one stops it at once.\nMessages are "
-        "coloured on a terminal unless `NO_COLOR` is set. No input file is ever "
-        "overwritten,\nand an output file appears whole or not at all.\n\n"
-        "## Exit codes\n\n"
-        "| code | meaning |\n|---|---|\n"
-        "| 0 | done |\n"
-        "| 1 | a bug of ours: please report it |\n"
-        "| 2 | wrong usage: the message says what and where to look |\n"
-        "| 3 | a check failed: not a valid mesh (`check`), an operator that is not what it must "
-        "be (`transfer`), nothing could be coarsened (`coarsen`) |\n"
-        "| 4 | a file cannot be read or written |\n"
-        "| 5 | a file was read, but what it holds is not a usable mesh or metric |\n"
-        "| 6 | stopped early; the levels that were finished are kept |\n"
-        "| 7 | not enough memory |\n"
-        "| 8 | the feature was left out of this build |\n"
-        "| 130 | stopped before there was a result |\n";
+    QString manual = "# The command line\n\n"
+                     "This page is written by `tests/acceptance/help_test.cpp` from the program's "
+                     "own help.\n\n" +
+                     QString(conduct) + "\n## Exit codes\n\n| code | meaning |\n|---|---|\n";
+    for (const auto& [code, meaning] : exit_codes) {
+        manual += QString("| %1 | %2 |\n").arg(code).arg(meaning);
+    }
     manual += "\n## ameco\n\n```\n" + here.ameco({}).out + "```\n";
     for (const QString& command : commands) {
         manual += "\n## ameco " + command + "\n\n```\n" + here.ameco({command, "-h"}).out + "```\n";
     }
-    const QString path = QString(AMECO_SOURCE_DIR) + "/docs/user/cli.md";
-    if (qEnvironmentVariableIsSet("AMECO_UPDATE_DOCS")) {
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(manual.toUtf8());
-        return;
+    compare_or_update("docs/user/cli.md", manual);
+}
+
+void HelpTest::is_the_same_in_the_man_page() {
+    const Workspace here;
+    QString page = ".\\\" Written by tests/acceptance/help_test.cpp from the program's own help.\n"
+                   ".TH AMECO 1 \"\" \"ameco\" \"User Commands\"\n"
+                   ".SH NAME\nameco \\- make mesh hierarchies for geometric multigrid\n"
+                   ".SH SYNOPSIS\n.B ameco\n.I COMMAND\n[arguments] [options]\n"
+                   ".SH DESCRIPTION\n.nf\n" +
+                   roff(here.ameco({}).out) + ".fi\n.PP\n" + roff(QString(conduct).remove('`')) +
+                   ".SH COMMANDS\n";
+    for (const QString& command : commands) {
+        page +=
+            ".SS ameco " + command + "\n.nf\n" + roff(here.ameco({command, "-h"}).out) + ".fi\n";
     }
-    QVERIFY2(QString::fromUtf8(content_of(path)) == manual,
-             "docs/user/cli.md is out of date: run this test with AMECO_UPDATE_DOCS=1");
+    page += ".SH EXIT STATUS\n";
+    for (const auto& [code, meaning] : exit_codes) {
+        page += QString(".TP\n.B %1\n%2\n").arg(code).arg(roff(QString(meaning).remove('`')));
+    }
+    compare_or_update("docs/man/ameco.1", page);
 }
 
 QTEST_GUILESS_MAIN(HelpTest)

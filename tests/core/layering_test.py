@@ -24,6 +24,8 @@ MAY_INCLUDE["recovery"] = {"base", "geometry", "mesh"}
 # A hierarchy is a folder of files.
 MAY_INCLUDE["hierarchy"].add("io")
 MAY_INCLUDE["multigrid"].add("io")
+# A report is about a hierarchy and what multigrid does on it; nobody in core needs it.
+MAY_INCLUDE["report"] = set(CHAIN) | {"io"}
 
 # The parts of the program: core knows nobody, the window knows core, the program knows both.
 PARTS = {"core": {"core"}, "gui": {"core", "gui"}, "app": {"core", "gui", "app"}}

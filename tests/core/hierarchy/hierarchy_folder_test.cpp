@@ -23,12 +23,16 @@ private slots:
     void notices_changed_and_missing_files();
     void removes_the_files_of_an_older_hierarchy_and_no_others();
     void writes_text_when_asked();
+    void writes_levels_in_another_format_too_data();
+    void writes_levels_in_another_format_too();
+    void a_damaged_export_is_made_anew();
     void knows_its_files_by_name();
     void refuses_a_file_in_place_of_the_folder();
 
 private:
     /// Makes a hierarchy of two coarser levels in the folder `out`.
-    void make(bool copy = false, const std::string& suffix = ".meshb");
+    void make(bool copy = false, const std::string& suffix = ".meshb",
+              const std::string& export_format = "", const std::string& export_suffix = "");
     [[nodiscard]] fs::path operator/(const std::string& name) const {
         return fs::path(temporary_->path().toStdString()) / name;
     }
@@ -42,11 +46,14 @@ void HierarchyFolderTest::init() {
     write_mesh(*this / "cube.meshb", small_mesh<3>());
 }
 
-void HierarchyFolderTest::make(bool copy, const std::string& suffix) {
+void HierarchyFolderTest::make(bool copy, const std::string& suffix,
+                               const std::string& export_format, const std::string& export_suffix) {
     made_ = {};
     Hierarchy start;
     start.options.levels = 2;
     start.mesh_suffix = suffix;
+    start.export_format = export_format;
+    start.export_suffix = export_suffix;
     start.input.copied = copy;
     HierarchyFolder folder(*this / "out", *this / "cube.meshb", start);
     const LevelSink<3> collect = made_.sink();
@@ -135,10 +142,64 @@ void HierarchyFolderTest::writes_text_when_asked() {
     QVERIFY(content_of(*this / "out" / "metric_1.sol").starts_with("MeshVersionFormatted"));
 }
 
+void HierarchyFolderTest::writes_levels_in_another_format_too_data() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<QString>("suffix");
+    QTest::addColumn<QStringList>("files");
+    QTest::newRow("SU2") << "su2"
+                         << ".su2" << QStringList{"level_2.su2"};
+    QTest::newRow("several files")
+        << "tetgen"
+        << ".node" << QStringList{"level_2.ele", "level_2.face", "level_2.node"};
+    QTest::newRow("suffix with digits")
+        << "ugrid"
+        << ".lb8.ugrid" << QStringList{"level_2.lb8.ugrid", "level_2.mapbc"};
+}
+
+void HierarchyFolderTest::writes_levels_in_another_format_too() {
+    QFETCH(QString, format);
+    QFETCH(QString, suffix);
+    QFETCH(QStringList, files);
+    make(false, ".meshb", format.toStdString(), suffix.toStdString());
+    const Hierarchy h = read_hierarchy(*this / "out");
+    for (const int k : {0, 1, 2}) {
+        const auto path = *this / "out" / ("level_" + std::to_string(k) + suffix.toStdString());
+        const Mesh<3> read = std::get<Mesh<3>>(read_mesh(path).mesh);
+        const Mesh<3>& made = made_.levels[static_cast<std::size_t>(k)].mesh;
+        QVERIFY(read.points == made.points);
+        QVERIFY(read.elements == made.elements);
+        QCOMPARE(check(read).summary(), check(made).summary());
+        // SU2 has the faces patch by patch.
+        std::vector<int> patches(made.patch.begin(), made.patch.end());
+        std::sort(patches.begin(), patches.end());
+        std::vector<int> read_patches(read.patch.begin(), read.patch.end());
+        std::sort(read_patches.begin(), read_patches.end());
+        QCOMPARE(read_patches, patches);
+    }
+    QStringList listed;
+    for (const HashedFile& file : h.levels[2].exports) {
+        listed += QString::fromStdString(file.name);
+    }
+    QVERIFY(std::all_of(files.begin(), files.end(),
+                        [&](const QString& file) { return listed.contains(file); }));
+    // What was made is kept when the hierarchy is continued.
+    const auto before = contents_of(*this / "out");
+    const HierarchyFolder again(*this / "out", *this / "cube.meshb", h);
+    QCOMPARE(contents_of(*this / "out").size(), before.size());
+}
+
+void HierarchyFolderTest::a_damaged_export_is_made_anew() {
+    make(false, ".meshb", "su2", ".su2");
+    const Hierarchy h = read_hierarchy(*this / "out");
+    QCOMPARE(intact_levels(*this / "out", h), 3);
+    std::ofstream(*this / "out" / "level_2.su2", std::ios::app) << "x";
+    QCOMPARE(intact_levels(*this / "out", h), 2);
+}
+
 void HierarchyFolderTest::knows_its_files_by_name() {
-    for (const char* name :
-         {"hierarchy.json", "timing.json", "level_0.mesh.gz", "level_12.meshb", "metric_3.sol",
-          "state_1.cbor", "P_2.mtx", ".hierarchy.json.77-0.tmp"}) {
+    for (const char* name : {"hierarchy.json", "timing.json", "level_0.mesh.gz", "level_12.meshb",
+                             "metric_3.sol", "state_1.cbor", "P_2.mtx", "level_1.lb8.ugrid",
+                             "level_1.t.patches", ".hierarchy.json.77-0.tmp"}) {
         QVERIFY2(is_hierarchy_file(name), name);
     }
     for (const char* name : {"level.meshb", "level_x.meshb", "my_level_1.meshb", "levels_1.meshb",

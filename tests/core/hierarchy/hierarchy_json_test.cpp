@@ -63,6 +63,8 @@ Hierarchy example() {
     h.program = "ameco 0.1.0";
     h.dimension = 3;
     h.mesh_suffix = ".mesh";
+    h.export_format = "su2";
+    h.export_suffix = ".su2";
     h.status = HierarchyStatus::exhausted;
     h.options.levels = 5;
     h.options.coarsen.mean = Mean::log_euclidean;
@@ -77,6 +79,7 @@ Hierarchy example() {
     h.input.format = "Medit binary, version 2";
     h.input.repair = {1, 2, true, 3, 4};
     h.levels = {level(0), level(1)};
+    h.levels[1].exports = {{"level_1.su2", 0x77u}};
     return h;
 }
 
@@ -89,6 +92,7 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QCOMPARE(read.status, HierarchyStatus::exhausted);
     QCOMPARE(read.levels.size(), std::size_t{2});
     QVERIFY(read.levels[1].state == example().levels[1].state);
+    QVERIFY(read.levels[1].exports == example().levels[1].exports);
     QCOMPARE(read.levels[1].statistics.warnings.at(0).defect, Defect::orphan_node);
     QCOMPARE(read.levels[1].statistics.removal[Verdict::region_border], std::int64_t{1});
     QCOMPARE(read.options.coarsen.mean, Mean::log_euclidean);

@@ -17,6 +17,7 @@ private slots:
     void notices_every_truncation_data();
     void notices_every_truncation();
     void names_the_part_that_is_missing();
+    void says_that_names_of_regions_are_left_out();
 };
 
 namespace {
@@ -246,6 +247,19 @@ void BadFilesTest::names_the_part_that_is_missing() {
     const MeshFile file = read_mesh(folder / "a.ele");
     QVERIFY(std::get<Mesh<3>>(file.mesh).faces.empty());
     QVERIFY(contains(file.notes.at(0), "there is no a.face"));
+}
+
+void BadFilesTest::says_that_names_of_regions_are_left_out() {
+    const Folder folder;
+    const std::string gmsh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                             "$PhysicalNames\n2\n2 1 \"wall\"\n3 7 \"fluid\"\n$EndPhysicalNames\n"
+                             "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+                             "$Elements\n2\n1 2 2 1 1 1 2 3\n2 4 2 7 1 1 2 3 4\n$EndElements\n";
+    const MeshFile file = read_mesh(folder.file("a.msh", gmsh));
+    QVERIFY(contains(file.notes.at(0), "names of regions are left out: 7 fluid"));
+    const auto& mesh = std::get<Mesh<3>>(file.mesh);
+    QCOMPARE(mesh.region.raw().at(0), 7);
+    QCOMPARE(mesh.patch_names.at(1), std::string("wall"));
 }
 
 QTEST_APPLESS_MAIN(BadFilesTest)

@@ -19,6 +19,7 @@ private slots:
     void unpacks_gz_data();
     void unpacks_gz();
     void reports_damaged_gz();
+    void stops_unpacking_what_fills_memory();
     void refuses_unknown_suffixes();
 };
 
@@ -134,6 +135,18 @@ void IoTest::unpacks_gz() {
     const std::string first = packed(folder / "1.gz", content.toStdString().substr(0, 20));
     const std::string second = packed(folder / "2.gz", content.toStdString().substr(20));
     QCOMPARE(read_mesh(folder.file("both", first + second)).format, format.toStdString());
+}
+
+void IoTest::stops_unpacking_what_fills_memory() {
+    const Folder folder;
+    // Blanks shrink a thousand times.
+    static_cast<void>(packed(folder / "a.mesh.gz", text_mesh + std::string(64 << 20, ' ')));
+    QVERIFY(contains(
+        message_of<InputError>([&] { static_cast<void>(read_mesh(folder / "a.mesh.gz")); }),
+        "a.mesh.gz: the gz data holds more than 64 times its size"));
+    // The first megabyte is free, so that nothing small is refused.
+    static_cast<void>(packed(folder / "b.mesh.gz", text_mesh + std::string(900000, ' ')));
+    static_cast<void>(read_mesh(folder / "b.mesh.gz"));
 }
 
 void IoTest::reports_damaged_gz() {

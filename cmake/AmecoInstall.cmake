@@ -1,0 +1,42 @@
+# What `cmake --install` puts where, the library for other programs, and the Debian package.
+
+include(CMakePackageConfigHelpers)
+
+# The library: find_package(ameco), target ameco::core, headers as <prefix>/include/ameco/core/...
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ameco)
+set_target_properties(ameco_core PROPERTIES EXPORT_NAME core)
+set_target_properties(ameco_settings PROPERTIES EXPORT_NAME settings)
+install(TARGETS ameco_core ameco_settings EXPORT ameco-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT ameco-targets NAMESPACE ameco:: DESTINATION ${config_folder} COMPONENT development)
+install(DIRECTORY core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ameco COMPONENT development
+    FILES_MATCHING PATTERN "*.h")
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/ameco-config.cmake.in"
+    "${PROJECT_BINARY_DIR}/ameco-config.cmake" INSTALL_DESTINATION ${config_folder})
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/ameco-config-version.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/ameco-config.cmake"
+    "${PROJECT_BINARY_DIR}/ameco-config-version.cmake"
+    DESTINATION ${config_folder} COMPONENT development)
+
+# The program's papers.
+install(FILES docs/man/ameco.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES resources/completions/ameco.bash
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ameco)
+install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/user DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# `cpack` in the build folder makes ameco_<version>_<architecture>.deb.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ameco)
+set(CPACK_PACKAGE_VENDOR "The ameco authors")
+set(CPACK_PACKAGE_CONTACT "The ameco authors <ameco@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Makes the sequence of coarser meshes that geometric multigrid needs from one
+ extremely stretched mesh of triangles or tetrahedra. A batch program, a
+ window, and a C++ library.")
+include(CPack)
