@@ -273,6 +273,12 @@ void MainWindow::connectPanels() {
             changeScene(options);
         }
     });
+    connect(view_panel_, &ViewPanel::meansSideBySideRequested, controller_,
+            &ViewController::setMeansSideBySide);
+    connect(controller_, &ViewController::shownLevelsChanged, this, [this] {
+        view_panel_->setMeansSideBySide(controller_->areMeansSideBySide());
+        checkViewCount();
+    });
     connect(controller_, &ViewController::optionsChanged, view_panel_, &ViewPanel::setOptions);
     connect(controller_, &ViewController::nodePicked, this, &MainWindow::inspectPicked);
     connect(views_, &CompareView::rendered, this, [this](int view) {

@@ -107,6 +107,7 @@ private:
     void chooseFolderForLevels();
     void chooseMeshFile();
     void chooseScreenshot(int factor, bool transparent);
+    void checkViewCount(); ///< in the menu
     void stepLevel(int step);
     void remember(const QString& path);
     void fillRecent();

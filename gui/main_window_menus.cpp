@@ -286,10 +286,13 @@ void MainWindow::saveScreenshot(const QString& path, int factor, bool transparen
 }
 
 void MainWindow::setViewCount(int count) {
-    for (QAction* const action : view_counts_->actions()) {
-        action->setChecked(action->data().toInt() == count);
-    }
     controller_->setViewCount(count);
+}
+
+void MainWindow::checkViewCount() {
+    for (QAction* const action : view_counts_->actions()) {
+        action->setChecked(action->data().toInt() == views_->viewCount());
+    }
 }
 
 void MainWindow::stepLevel(int step) {

@@ -35,11 +35,34 @@ int ViewController::shownLevel(int view) const {
 void ViewController::setOptions(const SceneOptions& options) {
     options_ = options;
     for (int v = 0; v < views_.viewCount(); ++v) {
-        views_.view(v).setOptions(options_);
+        views_.view(v).setOptions(optionsOf(v));
     }
 }
 
+SceneOptions ViewController::optionsOf(int view) const {
+    static constexpr std::array means{Mean::corrected, Mean::interpolation, Mean::log_euclidean,
+                                      Mean::geodesic};
+    SceneOptions options = options_;
+    if (means_side_by_side_) {
+        options.ellipsoids.mean = means.at(static_cast<std::size_t>(view));
+    }
+    return options;
+}
+
+void ViewController::setMeansSideBySide(bool on) {
+    if (on && document_.current() != nullptr) {
+        setViewCount(4);
+        for (int v = 0; v < 4; ++v) {
+            showLevel(v, document_.current()->id);
+        }
+    }
+    means_side_by_side_ = on;
+    setOptions(options_);
+    emit shownLevelsChanged();
+}
+
 void ViewController::setViewCount(int count) {
+    means_side_by_side_ = false;
     const int before = views_.viewCount();
     views_.setViewCount(count);
     active_ = count - 1;
@@ -143,7 +166,7 @@ void ViewController::show(int view) {
     const CaseLevel* const level = document_.level(shownLevel(view));
     MeshView& widget = views_.view(view);
     widget.setData(level != nullptr ? level->scene : nullptr);
-    widget.setOptions(options_);
+    widget.setOptions(optionsOf(view));
     markIn(view);
     highlightIn(view);
 }

@@ -32,6 +32,9 @@ public:
     /// For all views.
     void setOptions(const SceneOptions& options);
     void setViewCount(int count);
+    /// Four views of the current level, the ellipsoids of each with another mean.
+    void setMeansSideBySide(bool on);
+    [[nodiscard]] bool areMeansSideBySide() const { return means_side_by_side_; }
     [[nodiscard]] int activeView() const { return active_; }
     [[nodiscard]] int shownLevel(int view) const; ///< id; -1 for none
     void showLevel(int view, int level_id);
@@ -59,6 +62,7 @@ private:
     void follow();
     void refresh(int level_id);
     void show(int view);
+    [[nodiscard]] SceneOptions optionsOf(int view) const;
     void markIn(int view);
     void highlightIn(int view);
     void takePick(int view, const Pick& pick);
@@ -68,6 +72,7 @@ private:
     SceneOptions options_;
     std::array<int, 4> shown_{-1, -1, -1, -1};
     int active_ = 0;
+    bool means_side_by_side_ = false;
     bool sketched_ = false; ///< the views show a mesh that is not open yet
     std::optional<PickedNode> picked_;
     std::set<int> classes_;
