@@ -4,8 +4,17 @@
 #include "core/metric/aspect_ratio.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace ameco::gui {
+namespace {
+
+/// Those of the paper's figures 2 and 3.
+constexpr std::array compared_means{Mean::corrected, Mean::interpolation, Mean::log_euclidean,
+                                    Mean::geodesic};
+
+} // namespace
 
 ViewController::ViewController(Document& document, CompareView& views, QObject* parent)
     : QObject(parent), document_(document), views_(views) {
@@ -40,24 +49,38 @@ void ViewController::setOptions(const SceneOptions& options) {
 }
 
 SceneOptions ViewController::optionsOf(int view) const {
-    static constexpr std::array means{Mean::corrected, Mean::interpolation, Mean::log_euclidean,
-                                      Mean::geodesic};
     SceneOptions options = options_;
     if (means_side_by_side_) {
-        options.ellipsoids.mean = means.at(static_cast<std::size_t>(view));
+        options.ellipsoids.mean = compared_means.at(static_cast<std::size_t>(view));
     }
     return options;
 }
 
+std::shared_ptr<const SceneData> ViewController::sceneOf(int view) const {
+    const CaseLevel* const level = document_.level(shownLevel(view));
+    if (level == nullptr || !means_side_by_side_) {
+        return level != nullptr ? level->scene : nullptr;
+    }
+    // The same level under the name of its mean.
+    auto scene = std::make_shared<SceneData>(*level->scene);
+    std::visit(
+        [&](auto& input) {
+            input.name = name(compared_means.at(static_cast<std::size_t>(view)));
+            input.name += " mean, level " + std::to_string(level->number);
+        },
+        scene->input);
+    return scene;
+}
+
 void ViewController::setMeansSideBySide(bool on) {
-    if (on && document_.current() != nullptr) {
+    if (on) {
         setViewCount(4);
-        for (int v = 0; v < 4; ++v) {
-            showLevel(v, document_.current()->id);
-        }
     }
     means_side_by_side_ = on;
-    setOptions(options_);
+    for (int v = 0; v < views_.viewCount() && document_.current() != nullptr; ++v) {
+        shown_.at(static_cast<std::size_t>(v)) = document_.current()->id;
+        show(v);
+    }
     emit shownLevelsChanged();
 }
 
@@ -163,9 +186,8 @@ void ViewController::refresh(int level_id) {
 }
 
 void ViewController::show(int view) {
-    const CaseLevel* const level = document_.level(shownLevel(view));
     MeshView& widget = views_.view(view);
-    widget.setData(level != nullptr ? level->scene : nullptr);
+    widget.setData(sceneOf(view));
     widget.setOptions(optionsOf(view));
     markIn(view);
     highlightIn(view);

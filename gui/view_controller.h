@@ -63,6 +63,7 @@ private:
     void refresh(int level_id);
     void show(int view);
     [[nodiscard]] SceneOptions optionsOf(int view) const;
+    [[nodiscard]] std::shared_ptr<const SceneData> sceneOf(int view) const;
     void markIn(int view);
     void highlightIn(int view);
     void takePick(int view, const Pick& pick);

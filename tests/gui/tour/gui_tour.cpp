@@ -119,9 +119,13 @@ void take_wing(const QString& mesh, const QString& folder) {
     tour.window().aspectRatioPanel().setPercent(true);
     tour.settle();
     tour.window().document().setCurrent(2);
-    tour.scene([](SceneOptions& o) { o.colour = ColourBy::patch; });
+    tour.scene([](SceneOptions& o) {
+        o.colour = ColourBy::patch;
+        o.legend = false;
+        o.axes = false;
+    });
     tour.window().setViewCount(2);
-    tour.look(camera_at({0.0, 0, 0.0}, StandardView::minus_y, 0.035));
+    tour.look(camera_at({0.014, 0, 0.004}, StandardView::minus_y, 0.05));
     tour.save("compare.png");
     ChartPanel& histogram = tour.window().aspectRatioPanel();
     histogram.exportTo(folder + "/histogram.svg");
@@ -130,6 +134,8 @@ void take_wing(const QString& mesh, const QString& folder) {
     tour.window().document().setCurrent(0);
     tour.scene([](SceneOptions& o) {
         o.colour = ColourBy::aspect_ratio;
+        o.legend = true;
+        o.axes = true;
         o.clip.enabled = true;
         o.clip.normal = {0, -1, 0};
         o.clip.origin = {0, 0.6, 0};
@@ -177,7 +183,17 @@ void take_means(const QString& mesh, const QString& folder) {
         *level.level);
     emit tour.window().inspectorPanel().nodeRequested(most.value());
     wait_for("the node", [&] { return tour.window().inspectorPanel().inspection().has_value(); });
+    // Along the short direction the balls are a thousandth of their width.
+    const Inspection node = *tour.window().inspectorPanel().inspection();
+    tour.scene([&](SceneOptions& o) {
+        o.lens.enabled = true;
+        o.lens.origin = {node.point[0], node.point[1], 0};
+        o.lens.normal = {node.directions[0][0], node.directions[0][1], 0};
+        o.lens.factor = node.aspect_ratio;
+        o.axes = false;
+    });
     emit tour.window().viewPanel().meansSideBySideRequested(true);
+    tour.look(camera_at({node.point[0], node.point[1], 0}, StandardView::plus_z, 4));
     tour.window().raisePanel(tour.window().inspectorPanel());
     tour.save("means.png");
 }
