@@ -297,6 +297,10 @@ void MainWindow::connectPanels() {
         }
     });
     connect(inspector_, &InspectorPanel::placeRequested, this, &MainWindow::goToNode);
+    connectCharts();
+}
+
+void MainWindow::connectCharts() {
     connect(&aspect_ratios_->chart(), &ChartWidget::selectionChanged, this,
             &MainWindow::selectClasses);
     for (ChartPanel* const panel :

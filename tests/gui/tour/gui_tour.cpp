@@ -125,7 +125,7 @@ void take_wing(const QString& mesh, const QString& folder) {
         o.axes = false;
     });
     tour.window().setViewCount(2);
-    tour.look(camera_at({0.014, 0, 0.004}, StandardView::minus_y, 0.05));
+    tour.look(camera_at({-0.002, 0, 0}, StandardView::minus_y, 0.036));
     tour.save("compare.png");
     ChartPanel& histogram = tour.window().aspectRatioPanel();
     histogram.exportTo(folder + "/histogram.svg");
