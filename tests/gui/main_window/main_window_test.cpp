@@ -104,6 +104,7 @@ private slots:
     void opens_by_the_dialog();
     void opens_by_dropping_a_file();
     void a_broken_file_is_told_and_nothing_is_lost();
+    void a_mesh_is_seen_before_it_is_measured();
     void a_clip_plane_takes_a_part_away();
     void a_hidden_patch_is_not_seen();
     void picking_a_node_tells_all_about_it();
@@ -187,6 +188,24 @@ void MainWindowTest::a_broken_file_is_told_and_nothing_is_lost() {
     QCOMPARE(w.document().levels().size(), std::size_t{1});
     QVERIFY(w.coarsen(1)); // and work goes on
     QCOMPARE(w.document().levels().size(), std::size_t{2});
+}
+
+void MainWindowTest::a_mesh_is_seen_before_it_is_measured() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    const auto layer = w.views().view(0).scene().data();
+    std::size_t seen = 0;
+    connect(&w.document(), &Document::sketched, &w, [&] {
+        seen = w.views().view(0).scene().data()->node_count;
+        w.jobs().cancel();
+    });
+    w.openPath(sample("m6_8k.meshb"));
+    QVERIFY(w.idle());
+    QVERIFY(seen > 8000);
+    // It was cancelled: what was open before is shown again.
+    QCOMPARE(w.views().view(0).scene().data(), layer);
+    QVERIFY(w.windowTitle().startsWith("layer.meshb"));
 }
 
 void MainWindowTest::a_clip_plane_takes_a_part_away() {
