@@ -61,7 +61,15 @@ MeshScene::Impl::Impl() {
     highlight_actor_.actor()->GetProperty()->RenderPointsAsSpheresOn();
     dots_actor_.actor()->GetProperty()->RenderPointsAsSpheresOn();
     highlight_actor_.colour_all(highlight_colour);
-    over_->SetLayer(1);
+    vtkProperty* const through = through_actor_.actor()->GetProperty();
+    through->LightingOff();
+    through->SetOpacity(0.35);
+    through_actor_.colour_all(highlight_colour);
+    through_->AddActor(through_actor_.actor());
+    through_->SetActiveCamera(renderer->GetActiveCamera());
+    through_->SetLayer(1);
+    through_->InteractiveOff();
+    over_->SetLayer(2);
     over_->InteractiveOff();
     overlay_.show_in(over_);
 }
@@ -70,21 +78,23 @@ void MeshScene::Impl::show(vtkRenderWindow* to, const Viewport& where) {
     if (window != nullptr) {
         window->RemoveRenderer(renderer);
         window->RemoveRenderer(margin_);
+        window->RemoveRenderer(through_);
         window->RemoveRenderer(over_);
     }
     window = to;
     viewport_ = where;
     if (window != nullptr) {
-        window->SetNumberOfLayers(2);
+        window->SetNumberOfLayers(3);
         window->AddRenderer(renderer);
         window->AddRenderer(margin_);
+        window->AddRenderer(through_);
         window->AddRenderer(over_);
     }
 }
 
 void MeshScene::Impl::clear_actors() {
-    for (SceneActor* part :
-         {&surface_actor_, &lines_actor_, &dots_actor_, &highlight_actor_, &glyph_actor_}) {
+    for (SceneActor* part : {&surface_actor_, &lines_actor_, &dots_actor_, &highlight_actor_,
+                             &through_actor_, &glyph_actor_}) {
         part->clear();
     }
     ellipsoids = 0;
@@ -221,6 +231,7 @@ void MeshScene::Impl::build_glyphs() {
 void MeshScene::Impl::build_points() {
     points_old = false;
     highlight_actor_.clear();
+    through_actor_.clear();
     std::vector<Vec3> at;
     for (const NodeId i : highlighted) {
         if (i.valid() && i.index() < data->node_count && !is_clipped_away(i)) {
@@ -230,6 +241,8 @@ void MeshScene::Impl::build_points() {
     if (!at.empty()) {
         highlight_actor_.set_points(at);
         highlight_actor_.set_vertices(at.size());
+        through_actor_.set_points(at);
+        through_actor_.set_vertices(at.size());
     }
     dots_actor_.clear();
     const std::vector<int>& gone = data->removed_at();
@@ -321,6 +334,8 @@ void MeshScene::Impl::set_appearance() {
     lines_actor_.actor()->GetProperty()->SetLineWidth(2.5F * static_cast<float>(pixel_ratio));
     const auto dot = static_cast<float>(7 * pixel_ratio);
     highlight_actor_.actor()->GetProperty()->SetPointSize(dot);
+    through_actor_.actor()->GetProperty()->SetPointSize(0.7F * dot);
+    through_->SetDraw(!highlighted.empty());
     dots_actor_.actor()->GetProperty()->SetPointSize(dot);
 }
 

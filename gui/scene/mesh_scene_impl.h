@@ -86,12 +86,14 @@ private:
     void draw_handle(const ViewFrame& view);
 
     Viewport viewport_;
-    vtkNew<vtkRenderer> margin_; ///< behind the legend
-    vtkNew<vtkRenderer> over_;   ///< over everything, the whole viewport
+    vtkNew<vtkRenderer> margin_;  ///< behind the legend
+    vtkNew<vtkRenderer> through_; ///< what is seen through the mesh; the same camera
+    vtkNew<vtkRenderer> over_;    ///< over everything, the whole viewport
     SceneActor surface_actor_;
     SceneActor lines_actor_; ///< boundary of a 2-D mesh
     SceneActor dots_actor_;  ///< nodes that go on some level
     SceneActor highlight_actor_;
+    SceneActor through_actor_; ///< the same nodes, faintly also where the mesh hides them
     SceneActor glyph_actor_;
     Overlay overlay_;
 };

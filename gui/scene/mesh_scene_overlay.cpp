@@ -58,6 +58,7 @@ void MeshScene::Impl::lay_out() {
                                                                  (viewport_.right - viewport_.left)
                                          : viewport_.right;
     renderer->SetViewport(viewport_.left, viewport_.bottom, split, viewport_.top);
+    through_->SetViewport(viewport_.left, viewport_.bottom, split, viewport_.top);
     margin_->SetViewport(split, viewport_.bottom, viewport_.right, viewport_.top);
     margin_->SetDraw(legend_width > 0);
     over_->SetViewport(viewport_.left, viewport_.bottom, viewport_.right, viewport_.top);

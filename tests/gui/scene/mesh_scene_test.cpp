@@ -285,7 +285,22 @@ void MeshSceneTest::lights_up_nodes() {
     studio.scene.highlight({pick->node, NodeId(99999999), NodeId()});
     QVERIFY(is_lit(colour_at(studio.picture(), pixel)));
     studio.scene.highlight({});
-    QVERIFY(!is_lit(colour_at(studio.picture(), pixel)));
+    const QColor plain = colour_at(studio.picture(), pixel);
+    QVERIFY(!is_lit(plain));
+    // A node inside shines through.
+    NodeId middle;
+    for (std::size_t i = 0; i < data->node_count; ++i) {
+        if ((data->position(NodeId(i)) - Vec3(0.5, 0.5, 0.5)).norm() < 0.3) {
+            middle = NodeId(i);
+        }
+    }
+    QVERIFY(middle.valid());
+    studio.scene.highlight({middle});
+    const auto inside = studio.scene.pixel_of(data->position(middle));
+    const QColor faint = colour_at(studio.picture(), inside);
+    QVERIFY(faint.red() > faint.green() + 20);
+    studio.scene.highlight({});
+    QVERIFY(!near_colour(colour_at(studio.picture(), inside), faint, 10));
 }
 
 void MeshSceneTest::moves_the_clip_plane_with_its_handle() {
