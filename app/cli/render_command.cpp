@@ -131,9 +131,8 @@ public:
               "what a plane lays open"},
              {"render wing.meshb -o lens.png --node 17 --zoom 100 --lens 1000",
               "a layer, stretched along the wall's normal"},
-             {"render wing.meshb -o balls.png --node 17 --ellipsoids node --mean "
-              "corrected,geodesic",
-              "unit balls of two means"}},
+             {"render wing.meshb -o balls.png --ellipsoids sample --as surface",
+              "unit balls of the natural metric"}},
             "In an external flow the far field is left out, and the walls fill the picture.\n"
             "A picture whose scales are not those of the mesh says VIEW SCALED. Exit code 8\n"
             "when there is no OpenGL, or the program was built without it."};

@@ -43,7 +43,7 @@ void GenericWindow::drawOffSide() {
     SetReadyForRendering(false);
     SetFrameBlitModeToNoBlit();
     SetOwnContext(0);
-    SetMultiSamples(4);
+    SetMultiSamples(smooth_samples);
     SetSupportsOpenGL(1);
     SetIsDirect(1);
     SetAlphaBitPlanes(1);
@@ -77,7 +77,7 @@ GenericWindow::StateGuard::~StateGuard() {
     window_.GetState()->Pop();
 }
 
-std::vector<unsigned char> GenericWindow::readPixels() {
+std::vector<unsigned char> GenericWindow::readPixels(bool opaque) {
     const int width = GetSize()[0];
     const int height = GetSize()[1];
     vtkNew<vtkUnsignedCharArray> bottom_up;
@@ -88,6 +88,9 @@ std::vector<unsigned char> GenericWindow::readPixels() {
         const unsigned char* from =
             bottom_up->GetPointer(static_cast<vtkIdType>(row) * (height - 1 - y));
         std::copy(from, from + row, pixels.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    }
+    for (std::size_t alpha = 3; opaque && alpha < pixels.size(); alpha += 4) {
+        pixels[alpha] = 255;
     }
     return pixels;
 }

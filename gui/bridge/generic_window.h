@@ -9,6 +9,10 @@
 
 namespace ameco::gui {
 
+/// Samples per pixel of a still picture; while the mouse drags there is one, which takes a third of
+/// the time in software.
+inline constexpr int smooth_samples = 4;
+
 class GenericWindow : public vtkGenericOpenGLRenderWindow {
 public:
     static GenericWindow* New();
@@ -29,8 +33,8 @@ public:
     void copyTo(unsigned int framebuffer);
 
     /// RGBA, 4 bytes per pixel, rows from the top down, of what was rendered last. The context must
-    /// be current.
-    std::vector<unsigned char> readPixels();
+    /// be current. \param opaque  things one sees through leave no holes in the picture
+    std::vector<unsigned char> readPixels(bool opaque);
 
     /// While it lives, VTK's idea of the OpenGL state is right although others have used the
     /// context; afterwards the state is theirs again.

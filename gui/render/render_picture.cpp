@@ -26,13 +26,15 @@ using Scenes = std::vector<std::unique_ptr<MeshScene>>;
 
 Scenes make_scenes(const RenderJob& job, Monitor& monitor) {
     Scenes scenes;
+    const AbsentMetric absent =
+        has_scale(job.scene.colour) ? AbsentMetric::make : AbsentMetric::leave_out;
     for (std::size_t k = 0; k < job.levels.size(); ++k) {
         const auto share = [&](std::size_t n) {
             return 0.8 * static_cast<double>(n) / static_cast<double>(job.levels.size());
         };
         MonitorPart part(monitor, share(k), share(k + 1));
         auto data = std::visit(
-            [&](const auto& input) { return make_scene_data(input, part); }, job.levels[k]);
+            [&](const auto& input) { return make_scene_data(input, part, absent); }, job.levels[k]);
         SceneOptions options = job.scene;
         if (job.hide_outer) {
             options.hidden_patches.merge(patches_hidden_at_first(*data));
@@ -187,7 +189,7 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
     result.scale_label = scenes.front()->scale_label();
     monitor.progress(0.9, "drawing");
     gl.window()->Render();
-    Picture picture = averaged(gl.window()->readPixels(), job.width, job.height);
+    Picture picture = averaged(gl.window()->readPixels(!job.transparent), job.width, job.height);
     for (const auto& scene : scenes) {
         scene->attach(nullptr);
     }
@@ -195,16 +197,27 @@ Picture render_picture(const RenderJob& job, RenderResult& result) {
 }
 
 std::string to_png(const Picture& picture) {
+    const std::size_t pixels = picture.rgba.size() / 4;
+    bool opaque = true;
+    for (std::size_t p = 0; p < pixels; ++p) {
+        opaque = opaque && picture.rgba[4 * p + 3] == 255;
+    }
+    const std::size_t channels = opaque ? 3 : 4;
     vtkNew<vtkImageData> image;
     image->SetDimensions(picture.width, picture.height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    const std::size_t row = 4UL * static_cast<std::size_t>(picture.width);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, static_cast<int>(channels));
+    const auto width = static_cast<std::size_t>(picture.width);
     for (int y = 0; y < picture.height; ++y) {
-        std::copy_n(&picture.rgba[row * static_cast<std::size_t>(picture.height - 1 - y)], row,
-                    static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
+        const unsigned char* from =
+            &picture.rgba[4 * width * static_cast<std::size_t>(picture.height - 1 - y)];
+        auto* to = static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0));
+        for (std::size_t x = 0; x < width; ++x, from += 4) {
+            to = std::copy_n(from, channels, to);
+        }
     }
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);
+    writer->SetCompressionLevel(9);
     writer->WriteToMemoryOn();
     writer->Write();
     vtkUnsignedCharArray* const bytes = writer->GetResult();

@@ -139,10 +139,10 @@ void draw_axes(Overlay& overlay, const Area& area, double em, const Vec3& right,
                const Vec3& sight, int dimension, const Rgb& ink, const Rgb& paper) {
     static constexpr Rgb colours[] = {{205, 55, 50}, {50, 150, 60}, {50, 95, 205}};
     static constexpr const char* names[] = {"x", "y", "z"};
-    const double length = 3 * em;
-    const double x = area.left + 4.6 * em;
-    const double y = area.bottom + 4.6 * em;
-    overlay.disc(x, y, 4.3 * em, paper, paper_opacity);
+    const double length = 2.4 * em;
+    const double x = area.left + 4 * em;
+    const double y = area.bottom + 4 * em;
+    overlay.disc(x, y, 3.7 * em, paper, paper_opacity);
     std::array<int, 3> order{0, 1, 2}; // from the back to the front
     std::sort(order.begin(), order.end(), [&](int a, int b) { return sight[a] > sight[b]; });
     for (const int k : order) {

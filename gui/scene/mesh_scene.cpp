@@ -201,7 +201,7 @@ void MeshScene::prepare(double pixel_ratio) {
 }
 
 std::optional<std::pair<double, double>> MeshScene::shown_range() const {
-    if (!has_scale(impl_->options.colour)) {
+    if (!has_scale(impl_->colour())) {
         return std::nullopt;
     }
     return impl_->scale_range();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gui/scene/mesh_scene_impl.h"
 
+#include "gui/bridge/generic_window.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,7 +26,7 @@ constexpr double most_anchor_distance = 100;
 /// While the mouse drags, meshes beyond these sizes are drawn without edges, or without what a clip
 /// plane lays open.
 constexpr std::size_t many_polygons = 400'000;
-constexpr std::size_t many_elements = 1'500'000;
+constexpr std::size_t many_elements = 4'000'000;
 
 constexpr Rgb highlight_colour{235, 20, 120};
 constexpr Rgb natural_colour{238, 118, 52};
@@ -165,21 +167,25 @@ void MeshScene::Impl::place_points() {
     }
 }
 
+ColourBy MeshScene::Impl::colour() const {
+    return has_scale(options.colour) && data != nullptr && !data->has_metric() ? ColourBy::none
+                                                                               : options.colour;
+}
+
 void MeshScene::Impl::colour_surface() {
     colours_old = false;
-    if (options.colour != data_range_of) {
-        data_range_of = options.colour;
+    if (colour() != data_range_of) {
+        data_range_of = colour();
         data_range.reset();
-        if (has_scale(options.colour)) {
-            data_range = range_of(*data, options.colour);
+        if (has_scale(colour())) {
+            data_range = range_of(*data, colour());
         }
     }
-    if (is_nodal(options.colour)) {
+    if (is_nodal(colour())) {
         surface_actor_.colour_points_by_scale(
-            point_places(*data, *surface, options.colour, scale_range()));
+            point_places(*data, *surface, colour(), scale_range()));
     } else {
-        surface_actor_.colour_cells(
-            polygon_colours(*data, *surface, options.colour, scale_range()));
+        surface_actor_.colour_cells(polygon_colours(*data, *surface, colour(), scale_range()));
     }
 }
 
@@ -299,6 +305,7 @@ void MeshScene::Impl::place_camera() {
 }
 
 void MeshScene::Impl::set_appearance() {
+    window->SetMultiSamples(interactive ? 0 : smooth_samples);
     const Rgb& background = options.dark ? dark_background : light_background;
     set_background(renderer, background, transparent);
     set_background(margin_, background, transparent);

@@ -35,6 +35,7 @@ public:
     void fit();
     [[nodiscard]] ViewFrame frame() const;
     [[nodiscard]] Range scale_range() const;
+    [[nodiscard]] ColourBy colour() const; ///< that can be shown: none for one that lacks a metric
 
     std::shared_ptr<const SceneData> data;
     SceneOptions options;

@@ -26,18 +26,18 @@ Legend MeshScene::Impl::legend() const {
         return legend;
     }
     const SceneData& explained = legend_data != nullptr ? *legend_data : *data;
-    legend.title = title(options.colour);
-    legend.colour = options.colour;
-    if (has_scale(options.colour)) {
+    legend.title = title(colour());
+    legend.colour = colour();
+    if (has_scale(colour())) {
         legend.range = scale_range();
-    } else if (options.colour == ColourBy::patch) {
+    } else if (colour() == ColourBy::patch) {
         for (const int patch : explained.patches) {
             if (!options.hidden_patches.contains(patch)) {
                 legend.entries.push_back(
                     {patch_colour(explained, patch), explained.patch_name(patch)});
             }
         }
-    } else if (options.colour == ColourBy::removed_at && !explained.removed_at().empty()) {
+    } else if (colour() == ColourBy::removed_at && !explained.removed_at().empty()) {
         const auto& gone = explained.removed_at();
         const int last = *std::max_element(gone.begin(), gone.end());
         for (int level = 1; level <= last; ++level) {

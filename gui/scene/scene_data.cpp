@@ -130,9 +130,10 @@ void find_outer(SceneData& data) {
 } // namespace
 
 template <int D>
-std::shared_ptr<const SceneData> make_scene_data(SceneInput<D> input, Monitor& monitor) {
+std::shared_ptr<const SceneData> make_scene_data(SceneInput<D> input, Monitor& monitor,
+                                                 AbsentMetric absent) {
     auto data = std::make_shared<SceneData>();
-    if (input.natural == nullptr) {
+    if (input.natural == nullptr && absent == AbsentMetric::make) {
         input.natural = std::make_shared<const MetricField<D>>(
             nodal_metric<D>(*input.mesh, Mean::blended, monitor));
     }
@@ -145,8 +146,12 @@ std::shared_ptr<const SceneData> make_scene_data(SceneInput<D> input, Monitor& m
     return data;
 }
 
-template std::shared_ptr<const SceneData> make_scene_data(SceneInput<2>, Monitor&);
-template std::shared_ptr<const SceneData> make_scene_data(SceneInput<3>, Monitor&);
+template std::shared_ptr<const SceneData> make_scene_data(SceneInput<2>, Monitor&, AbsentMetric);
+template std::shared_ptr<const SceneData> make_scene_data(SceneInput<3>, Monitor&, AbsentMetric);
+
+bool SceneData::has_metric() const {
+    return std::visit([](const auto& i) { return i.natural != nullptr; }, input);
+}
 
 const std::vector<int>& SceneData::removed_at() const {
     return std::visit([](const auto& i) -> const std::vector<int>& { return i.removed_at; }, input);

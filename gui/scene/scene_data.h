@@ -46,10 +46,17 @@ struct SceneData {
         const Vec<2>& x = std::get<1>(input).mesh->points[i];
         return {x[0], x[1], 0};
     }
+    [[nodiscard]] bool has_metric() const;
     [[nodiscard]] const std::vector<int>& removed_at() const;
     [[nodiscard]] const std::string& name() const;
     /// The patch's name, or "patch 3".
     [[nodiscard]] std::string patch_name(int patch) const;
+};
+
+/// Whether the natural metric is made where the input has none: it takes longer than all else.
+enum class AbsentMetric {
+    make,
+    leave_out ///< colours that need it show none
 };
 
 /// Prepares a level to be shown: which elements lie behind the boundary faces, and where to look.
@@ -61,7 +68,8 @@ struct SceneData {
 ///
 template <int D>
 [[nodiscard]] std::shared_ptr<const SceneData>
-make_scene_data(SceneInput<D> input, Monitor& monitor = Monitor::silent());
+make_scene_data(SceneInput<D> input, Monitor& monitor = Monitor::silent(),
+                AbsentMetric absent = AbsentMetric::make);
 
 /// Outer patches that are not plane: they would hide the wall.
 [[nodiscard]] std::set<int> patches_hidden_at_first(const SceneData& data);

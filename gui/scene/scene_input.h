@@ -18,7 +18,7 @@ template <int D>
 struct SceneInput {
     std::shared_ptr<const Mesh<D>> mesh;           ///< valid
     std::shared_ptr<const MetricField<D>> natural; ///< natural metric at its nodes; null:
-                                                   ///< make_scene_data makes it
+                                                   ///< see AbsentMetric
     std::vector<int> removed_at; ///< [n] or empty: level on which the node is missing first, 0 for
                                  ///< one that is on all levels
     std::string name;            ///< "level 2", over the picture; may be empty

@@ -12,7 +12,7 @@
 namespace ameco::gui {
 namespace {
 
-constexpr Rgb far_colour{224, 226, 231};
+constexpr Rgb far_colour{240, 241, 244};
 
 template <int D>
 double size_value(const Metric<D>& metric, ColourBy colour) {

@@ -147,7 +147,7 @@ QImage VtkWidget::grabImage(int factor, bool transparent) {
         scene_.set_handles(false);
         scene_.prepare(devicePixelRatioF() * factor);
         window_->Render();
-        const std::vector<unsigned char> pixels = window_->readPixels();
+        const std::vector<unsigned char> pixels = window_->readPixels(!transparent);
         const auto row = static_cast<std::size_t>(image.width()) * 4;
         for (int y = 0; y < image.height(); ++y) {
             std::copy_n(pixels.data() + row * static_cast<std::size_t>(y), row, image.scanLine(y));

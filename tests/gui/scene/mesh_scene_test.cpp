@@ -53,6 +53,7 @@ private slots:
     void shows_2d_meshes();
     void shows_where_nodes_go();
     void locks_the_range_of_the_colours();
+    void does_without_a_metric();
 };
 
 void MeshSceneTest::fits_what_is_shown() {
@@ -411,6 +412,23 @@ void MeshSceneTest::locks_the_range_of_the_colours() {
     studio.scene.set_options(options);
     studio.picture();
     QCOMPARE(*studio.scene.shown_range(), (std::pair<double, double>{10, 20}));
+}
+
+void MeshSceneTest::does_without_a_metric() {
+    SceneInput<3> input;
+    input.mesh = std::make_shared<const Mesh<3>>(std::get<0>(make_case("cube", {{"n", "2"}})));
+    const auto data = make_scene_data(std::move(input), Monitor::silent(), AbsentMetric::leave_out);
+    QVERIFY(!data->has_metric());
+    Studio studio(data);
+    for (const ColourBy colour : all_colours) {
+        SceneOptions options = studio.scene.options();
+        options.colour = colour;
+        options.ellipsoids.where = EllipsoidOptions::Where::sample; // made from the elements
+        studio.scene.set_options(options);
+        QVERIFY(share_not_background(studio.picture()) > 0.1);
+        QVERIFY(!studio.scene.shown_range().has_value());
+        QVERIFY(studio.scene.shown_ellipsoids() > 0);
+    }
 }
 
 QTEST_GUILESS_MAIN(MeshSceneTest)

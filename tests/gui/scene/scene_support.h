@@ -41,7 +41,7 @@ public:
     QImage picture() {
         scene.prepare();
         gl_.window()->Render();
-        const auto pixels = gl_.window()->readPixels();
+        const auto pixels = gl_.window()->readPixels(false);
         const int* const size = gl_.window()->GetSize();
         return QImage(pixels.data(), size[0], size[1], QImage::Format_RGBA8888).copy();
     }
