@@ -8,6 +8,7 @@
 #include "gui/panels/chart_panel.h"
 #include "gui/panels/coarsen_panel.h"
 #include "gui/panels/command_panel.h"
+#include "gui/panels/convergence_panel.h"
 #include "gui/panels/hierarchy_panel.h"
 #include "gui/panels/inspector_panel.h"
 #include "gui/panels/log_panel.h"
@@ -114,6 +115,8 @@ private slots:
     void brushing_lights_up_nodes();
     void selected_patches_are_counted_in_the_histogram();
     void the_lens_stretches_the_layers_and_says_so();
+    void measures_how_multigrid_converges();
+    void means_stand_side_by_side();
     void exports_what_is_seen();
     void a_session_comes_back();
     void closes_while_a_job_runs();
@@ -381,6 +384,47 @@ void MainWindowTest::the_lens_stretches_the_layers_and_says_so() {
             w.viewController().picked()->pick->position);
     QVERIFY(!view.scene().scale_label().empty());
     QVERIFY(difference(before, w.picture()) > 0.02);
+}
+
+void MainWindowTest::measures_how_multigrid_converges() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    w.convergencePanel().measure();
+    QVERIFY(!w.convergencePanel().jobs().isRunning()); // there is one level only
+    QVERIFY(w.coarsen(1));
+    w.convergencePanel().measure();
+    QTRY_COMPARE_WITH_TIMEOUT(w.convergencePanel().chart().chart().series.size(), std::size_t{2},
+                              patience);
+    for (const ChartSeries& s : w.convergencePanel().chart().chart().series) {
+        QCOMPARE(s.values.front(), 1.0);
+        QVERIFY(s.values.back() < 1e-8);
+    }
+}
+
+void MainWindowTest::means_stand_side_by_side() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("model_layer.mesh")));
+    SceneOptions options = w.viewController().options();
+    options.ellipsoids.where = EllipsoidOptions::Where::picked;
+    emit w.viewPanel().optionsChanged(options);
+    emit w.inspectorPanel().nodeRequested(2);
+    emit w.viewPanel().meansSideBySideRequested(true);
+    QCOMPARE(w.views().viewCount(), 4);
+    std::set<std::string> captions;
+    std::set<Mean> means;
+    for (int v = 0; v < 4; ++v) {
+        QVERIFY(w.drawn(v));
+        captions.insert(w.views().view(v).scene().data()->name());
+        means.insert(w.views().view(v).options().ellipsoids.mean);
+        QCOMPARE(w.views().view(v).scene().shown_ellipsoids(), std::size_t{1});
+    }
+    QCOMPARE(captions.size(), std::size_t{4});
+    QCOMPARE(means.size(), std::size_t{4});
+    w.setViewCount(1);
+    QVERIFY(w.drawn());
+    QCOMPARE(w.views().view(0).scene().data()->name(), std::string("level 0"));
 }
 
 void MainWindowTest::exports_what_is_seen() {
