@@ -60,7 +60,7 @@ std::vector<double> ticks(const Range& range, bool logarithmic, int about) {
     const double step = round_length((range.second - range.first) / about * 1.5);
     for (double k = std::ceil(range.first / step - slack); k * step <= range.second + slack * step;
          k += 1) {
-        values.push_back(k * step);
+        values.push_back(k * step + 0.0); // no -0
     }
     return values;
 }
