@@ -183,6 +183,7 @@ void MainWindow::connectJobs() {
 
 void MainWindow::endJob(JobEnd end, const QString& reason) {
     coarsen_->showEnd();
+    controller_->dropSketch();
     switch (end) {
     case JobEnd::failed:
         session_.reset();
@@ -272,6 +273,12 @@ void MainWindow::connectPanels() {
             changeScene(options);
         }
     });
+    connect(view_panel_, &ViewPanel::meansSideBySideRequested, controller_,
+            &ViewController::setMeansSideBySide);
+    connect(controller_, &ViewController::shownLevelsChanged, this, [this] {
+        view_panel_->setMeansSideBySide(controller_->areMeansSideBySide());
+        checkViewCount();
+    });
     connect(controller_, &ViewController::optionsChanged, view_panel_, &ViewPanel::setOptions);
     connect(controller_, &ViewController::nodePicked, this, &MainWindow::inspectPicked);
     connect(views_, &CompareView::rendered, this, [this](int view) {
@@ -290,6 +297,10 @@ void MainWindow::connectPanels() {
         }
     });
     connect(inspector_, &InspectorPanel::placeRequested, this, &MainWindow::goToNode);
+    connectCharts();
+}
+
+void MainWindow::connectCharts() {
     connect(&aspect_ratios_->chart(), &ChartWidget::selectionChanged, this,
             &MainWindow::selectClasses);
     for (ChartPanel* const panel :

@@ -80,6 +80,7 @@ private:
     void connectJobs();
     void connectDocument();
     void connectPanels();
+    void connectCharts();
     void tell(Severity severity, const QString& text);
     void endJob(JobEnd end, const QString& reason);
     void showCurrent();
@@ -97,6 +98,8 @@ private:
     void makeMenus();
     void makeFileMenu();
     void makeViewMenu();
+    void addCameraActions(QMenu& menu);
+    void addLookActions(QMenu& menu);
     void makeLevelMenu();
     void makeHelpMenu();
     QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut,
@@ -107,6 +110,7 @@ private:
     void chooseFolderForLevels();
     void chooseMeshFile();
     void chooseScreenshot(int factor, bool transparent);
+    void checkViewCount(); ///< in the menu
     void stepLevel(int step);
     void remember(const QString& path);
     void fillRecent();

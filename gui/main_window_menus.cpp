@@ -138,6 +138,28 @@ void MainWindow::makeViewMenu() {
     linked->setChecked(true);
     linked->setShortcut(tr("Ctrl+L"));
     connect(linked, &QAction::toggled, views_, &CompareView::setLinked);
+    addCameraActions(menu);
+    addLookActions(menu);
+    menu.addSeparator();
+    dark_action_ = menu.addAction(tr("&Dark colours"));
+    dark_action_->setCheckable(true);
+    dark_action_->setShortcut(tr("Ctrl+D"));
+    connect(dark_action_, &QAction::triggered, this, &MainWindow::setDark);
+    panels_menu_ = menu.addMenu(tr("&Panels"));
+    int number = 1;
+    for (auto* const dock : findChildren<QDockWidget*>()) {
+        QAction* const raise = panels_menu_->addAction(dock->windowTitle());
+        raise->setShortcut(number < 10 ? QKeySequence(QStringLiteral("Alt+%1").arg(number))
+                                       : QKeySequence());
+        ++number;
+        connect(raise, &QAction::triggered, dock, [this, dock] {
+            raisePanel(*dock->widget());
+            dock->widget()->setFocus();
+        });
+    }
+}
+
+void MainWindow::addCameraActions(QMenu& menu) {
     menu.addSeparator();
     addAction(menu, tr("&Fit"), tr("F"), [this] { views_->resetCamera(); });
     const std::array<std::pair<StandardView, const char*>, 7> standard{
@@ -157,6 +179,9 @@ void MainWindow::makeViewMenu() {
             QKeySequence(QLatin1String(key)), [this, view = view] { views_->standardView(view); });
     }
     addAction(menu, tr("At the picked &node"), tr("P"), [this] { controller_->lookAtPicked(); });
+}
+
+void MainWindow::addLookActions(QMenu& menu) {
     menu.addSeparator();
     const auto show_as = [this](Representation representation) {
         SceneOptions options = controller_->options();
@@ -173,23 +198,6 @@ void MainWindow::makeViewMenu() {
     addAction(menu, tr("&Flip the clip plane"), tr("Shift+C"), [this] { view_panel_->flipClip(); });
     addAction(menu, tr("Boundary-layer lens at the picked &place"), tr("B"),
               [this] { emit view_panel_->lensAtPickRequested(); });
-    menu.addSeparator();
-    dark_action_ = menu.addAction(tr("&Dark colours"));
-    dark_action_->setCheckable(true);
-    dark_action_->setShortcut(tr("Ctrl+D"));
-    connect(dark_action_, &QAction::triggered, this, &MainWindow::setDark);
-    panels_menu_ = menu.addMenu(tr("&Panels"));
-    int number = 1;
-    for (auto* const dock : findChildren<QDockWidget*>()) {
-        QAction* const raise = panels_menu_->addAction(dock->windowTitle());
-        raise->setShortcut(number < 10 ? QKeySequence(QStringLiteral("Alt+%1").arg(number))
-                                       : QKeySequence());
-        ++number;
-        connect(raise, &QAction::triggered, dock, [this, dock] {
-            raisePanel(*dock->widget());
-            dock->widget()->setFocus();
-        });
-    }
 }
 
 void MainWindow::makeLevelMenu() {
@@ -286,10 +294,13 @@ void MainWindow::saveScreenshot(const QString& path, int factor, bool transparen
 }
 
 void MainWindow::setViewCount(int count) {
-    for (QAction* const action : view_counts_->actions()) {
-        action->setChecked(action->data().toInt() == count);
-    }
     controller_->setViewCount(count);
+}
+
+void MainWindow::checkViewCount() {
+    for (QAction* const action : view_counts_->actions()) {
+        action->setChecked(action->data().toInt() == views_->viewCount());
+    }
 }
 
 void MainWindow::stepLevel(int step) {

@@ -4,11 +4,21 @@
 #include "core/metric/aspect_ratio.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace ameco::gui {
+namespace {
+
+/// Those of the paper's figures 2 and 3.
+constexpr std::array compared_means{Mean::corrected, Mean::interpolation, Mean::log_euclidean,
+                                    Mean::geodesic};
+
+} // namespace
 
 ViewController::ViewController(Document& document, CompareView& views, QObject* parent)
     : QObject(parent), document_(document), views_(views) {
+    connect(&document, &Document::sketched, this, &ViewController::sketch);
     connect(&document, &Document::opened, this, &ViewController::openAll);
     connect(&document, &Document::closed, this, &ViewController::openAll);
     connect(&document, &Document::currentChanged, this, &ViewController::follow);
@@ -34,11 +44,48 @@ int ViewController::shownLevel(int view) const {
 void ViewController::setOptions(const SceneOptions& options) {
     options_ = options;
     for (int v = 0; v < views_.viewCount(); ++v) {
-        views_.view(v).setOptions(options_);
+        views_.view(v).setOptions(optionsOf(v));
     }
 }
 
+SceneOptions ViewController::optionsOf(int view) const {
+    SceneOptions options = options_;
+    if (means_side_by_side_) {
+        options.ellipsoids.mean = compared_means.at(static_cast<std::size_t>(view));
+    }
+    return options;
+}
+
+std::shared_ptr<const SceneData> ViewController::sceneOf(int view) const {
+    const CaseLevel* const level = document_.level(shownLevel(view));
+    if (level == nullptr || !means_side_by_side_) {
+        return level != nullptr ? level->scene : nullptr;
+    }
+    // The same level under the name of its mean.
+    auto scene = std::make_shared<SceneData>(*level->scene);
+    std::visit(
+        [&](auto& input) {
+            input.name = name(compared_means.at(static_cast<std::size_t>(view)));
+            input.name += " mean, level " + std::to_string(level->number);
+        },
+        scene->input);
+    return scene;
+}
+
+void ViewController::setMeansSideBySide(bool on) {
+    if (on) {
+        setViewCount(4);
+    }
+    means_side_by_side_ = on;
+    for (int v = 0; v < views_.viewCount() && document_.current() != nullptr; ++v) {
+        shown_.at(static_cast<std::size_t>(v)) = document_.current()->id;
+        show(v);
+    }
+    emit shownLevelsChanged();
+}
+
 void ViewController::setViewCount(int count) {
+    means_side_by_side_ = false;
     const int before = views_.viewCount();
     views_.setViewCount(count);
     active_ = count - 1;
@@ -66,6 +113,36 @@ void ViewController::showLevel(int view, int level_id) {
     emit shownLevelsChanged();
 }
 
+void ViewController::sketch(const std::shared_ptr<const SceneData>& scene) {
+    SceneOptions plain = options_;
+    plain.clip.enabled = false;
+    plain.lens.enabled = false;
+    plain.range.reset();
+    plain.colour = ColourBy::patch; // others have to be measured first
+    plain.ellipsoids.where = EllipsoidOptions::Where::none;
+    plain.hidden_patches = patches_hidden_at_first(*scene);
+    for (int v = 0; v < views_.viewCount(); ++v) {
+        MeshView& view = views_.view(v);
+        view.setData(nullptr);
+        view.mark(std::nullopt);
+        view.highlight({});
+        view.setData(scene);
+        view.setOptions(plain);
+    }
+    views_.resetCamera();
+    sketched_ = true;
+}
+
+void ViewController::dropSketch() {
+    if (sketched_) {
+        sketched_ = false;
+        for (int v = 0; v < views_.viewCount(); ++v) {
+            show(v);
+        }
+        views_.resetCamera();
+    }
+}
+
 void ViewController::openAll() {
     picked_.reset();
     classes_.clear();
@@ -80,10 +157,15 @@ void ViewController::openAll() {
     }
     for (int v = 0; v < views_.viewCount(); ++v) {
         shown_.at(static_cast<std::size_t>(v)) = id;
-        views_.view(v).setData(nullptr);
+        if (!sketched_) {
+            views_.view(v).setData(nullptr);
+        }
         show(v);
     }
-    views_.resetCamera();
+    if (!sketched_) { // else somebody may have turned it already
+        views_.resetCamera();
+    }
+    sketched_ = false;
     emit optionsChanged(options_);
     emit nodePicked();
     emit shownLevelsChanged();
@@ -104,10 +186,9 @@ void ViewController::refresh(int level_id) {
 }
 
 void ViewController::show(int view) {
-    const CaseLevel* const level = document_.level(shownLevel(view));
     MeshView& widget = views_.view(view);
-    widget.setData(level != nullptr ? level->scene : nullptr);
-    widget.setOptions(options_);
+    widget.setData(sceneOf(view));
+    widget.setOptions(optionsOf(view));
     markIn(view);
     highlightIn(view);
 }

@@ -32,6 +32,9 @@ public:
     /// For all views.
     void setOptions(const SceneOptions& options);
     void setViewCount(int count);
+    /// Four views of the current level, the ellipsoids of each with another mean.
+    void setMeansSideBySide(bool on);
+    [[nodiscard]] bool areMeansSideBySide() const { return means_side_by_side_; }
     [[nodiscard]] int activeView() const { return active_; }
     [[nodiscard]] int shownLevel(int view) const; ///< id; -1 for none
     void showLevel(int view, int level_id);
@@ -45,16 +48,22 @@ public:
     void highlightClasses(const std::set<int>& classes);
     [[nodiscard]] std::size_t highlightedCount() const { return highlighted_; }
 
+    /// Shows the document's levels again, when a mesh that was sketched has not been opened.
+    void dropSketch();
+
 signals:
     void optionsChanged(const ameco::gui::SceneOptions& options); ///< by hand, in a view
     void nodePicked();
     void shownLevelsChanged();
 
 private:
+    void sketch(const std::shared_ptr<const SceneData>& scene);
     void openAll();
     void follow();
     void refresh(int level_id);
     void show(int view);
+    [[nodiscard]] SceneOptions optionsOf(int view) const;
+    [[nodiscard]] std::shared_ptr<const SceneData> sceneOf(int view) const;
     void markIn(int view);
     void highlightIn(int view);
     void takePick(int view, const Pick& pick);
@@ -64,6 +73,8 @@ private:
     SceneOptions options_;
     std::array<int, 4> shown_{-1, -1, -1, -1};
     int active_ = 0;
+    bool means_side_by_side_ = false;
+    bool sketched_ = false; ///< the views show a mesh that is not open yet
     std::optional<PickedNode> picked_;
     std::set<int> classes_;
     std::size_t highlighted_ = 0;

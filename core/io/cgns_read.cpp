@@ -423,6 +423,10 @@ MeshFile read_now(const Source& source) {
 } // namespace
 
 MeshFile read(const Source& source) {
+    if (source.options.from_memory) {
+        throw InputError(source.name + ": holds a compressed CGNS file, which libcgns cannot read; "
+                                       "unpack it first");
+    }
     require_survival(source.name, "libcgns", {static_cast<std::int64_t>(source.bytes.size())},
                      [&] { static_cast<void>(read_now(source)); });
     return read_now(source);

@@ -121,7 +121,7 @@ CaseLevel finest_case_level(Mesh<D> mesh, const HierarchyOptions& options, Monit
 
 template <int D>
 void add_finest(Mesh<D> mesh, const fs::path& path, const HierarchyOptions& options,
-                LoadedCase& loaded, Monitor& monitor) {
+                const Sketch& sketch, LoadedCase& loaded, Monitor& monitor) {
     loaded.file.dimension = D;
     loaded.file.repair = complete_boundary(mesh, options.coarsen.features.ridge_angle_deg);
     tell_repairs(path, loaded.file.repair, monitor);
@@ -131,10 +131,17 @@ void add_finest(Mesh<D> mesh, const fs::path& path, const HierarchyOptions& opti
     if (!report.valid()) {
         throw InputError(path.string() + ": not a valid mesh: " + report.summary());
     }
+    if (sketch) {
+        SceneInput<D> input;
+        input.mesh = std::make_shared<const Mesh<D>>(mesh);
+        input.name = "level 0";
+        sketch(make_scene_data(std::move(input), monitor));
+    }
     loaded.levels.push_back(finest_case_level(std::move(mesh), options, monitor));
 }
 
-LoadedCase read_finest(const fs::path& path, const HierarchyOptions& options, Monitor& monitor) {
+LoadedCase read_finest(const fs::path& path, const HierarchyOptions& options, const Sketch& sketch,
+                       Monitor& monitor) {
     if (format_of_suffix(path, true) != nullptr && format_of_suffix(path, false) == nullptr) {
         throw InputError(path.string() +
                          ": holds a metric and no mesh: open the mesh that it belongs to");
@@ -151,7 +158,7 @@ LoadedCase read_finest(const fs::path& path, const HierarchyOptions& options, Mo
         loaded.levels.push_back(surface_level(std::move(*mesh), monitor));
         return loaded;
     }
-    std::visit([&](auto& mesh) { add_finest(std::move(mesh), path, options, loaded, monitor); },
+    std::visit([&](auto& mesh) { add_finest(std::move(mesh), path, options, sketch, loaded, monitor); },
                file.mesh);
     return loaded;
 }
@@ -250,8 +257,8 @@ bool is_usable_folder(const fs::path& folder) {
 
 } // namespace
 
-LoadedCase read_case(const fs::path& path, Monitor& monitor) {
-    return read_finest(path, {}, monitor);
+LoadedCase read_case(const fs::path& path, const Sketch& sketch, Monitor& monitor) {
+    return read_finest(path, {}, sketch, monitor);
 }
 
 LoadedCase read_hierarchy_case(const fs::path& path, Monitor& monitor) {
@@ -261,7 +268,7 @@ LoadedCase read_hierarchy_case(const fs::path& path, Monitor& monitor) {
         throw InputError(folder.string() + ": has no levels: make some with ameco coarsen");
     }
     const fs::path mesh = folder / hierarchy.levels.front().mesh.name;
-    LoadedCase loaded = read_finest(mesh, hierarchy.options, monitor);
+    LoadedCase loaded = read_finest(mesh, hierarchy.options, {}, monitor);
     std::vector<StoredLevel> stored;
     for (int k = 1; k < intact_levels(folder, hierarchy); ++k) {
         stored.push_back({k, k - 1, k, folder.string(), hierarchy.options});
@@ -278,7 +285,7 @@ LoadedCase read_hierarchy_case(const fs::path& path, Monitor& monitor) {
 LoadedCase read_stored_case(const fs::path& mesh, const std::vector<StoredLevel>& stored,
                             Monitor& monitor) {
     const HierarchyOptions options = stored.empty() ? HierarchyOptions() : stored.front().options;
-    LoadedCase loaded = read_finest(mesh, options, monitor);
+    LoadedCase loaded = read_finest(mesh, options, {}, monitor);
     add_stored(stored, loaded, monitor);
     return loaded;
 }

@@ -19,9 +19,14 @@ struct LoadedCase {
     std::vector<CaseLevel> levels; ///< with ids from 0 on
 };
 
+/// Takes a picture's data of a mesh that has been read and found valid, but not measured yet.
+using Sketch = std::function<void(std::shared_ptr<const SceneData>)>;
+
 /// Reads a mesh and measures it. A surface without elements is taken too: it can be looked at.
+/// \param sketch  called as soon as there is something to see
 /// \throws Error
-[[nodiscard]] LoadedCase read_case(const std::filesystem::path& path, Monitor& monitor);
+[[nodiscard]] LoadedCase read_case(const std::filesystem::path& path, const Sketch& sketch,
+                                   Monitor& monitor);
 
 /// Reads the folder of a hierarchy (or its hierarchy.json): all levels whose files are whole.
 /// \throws Error

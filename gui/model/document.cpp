@@ -150,10 +150,14 @@ std::map<int, std::string> Document::patches() const {
 void Document::open(const QString& path) {
     jobs_.start(tr("Opening %1").arg(name_of(path)), [this, path](JobContext& job) {
         const std::filesystem::path file = path.toStdString();
-        const bool hierarchy =
-            std::filesystem::is_directory(file) || file.filename() == "hierarchy.json";
+        std::error_code unreadable; // then reading the file tells why
+        const bool hierarchy = std::filesystem::is_directory(file, unreadable) ||
+                               file.filename() == "hierarchy.json";
+        const auto sketch = [this, &job](std::shared_ptr<const SceneData> scene) {
+            job.post([this, scene = std::move(scene)] { emit sketched(scene); });
+        };
         const auto loaded =
-            parcel(hierarchy ? read_hierarchy_case(file, job) : read_case(file, job));
+            parcel(hierarchy ? read_hierarchy_case(file, job) : read_case(file, sketch, job));
         job.post([this, loaded] { take(std::move(loaded->file), std::move(loaded->levels)); });
     });
 }

@@ -66,6 +66,8 @@ public slots:
     void exportMesh(int id, const QString& path);
 
 signals:
+    /// A mesh that is being opened can be looked at; `opened` follows, unless that is cancelled.
+    void sketched(std::shared_ptr<const ameco::gui::SceneData> scene);
     void opened();
     void closed();
     void levelAdded(int id);

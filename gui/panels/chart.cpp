@@ -247,8 +247,9 @@ private:
         const double line_height = metrics_.height();
         text({drawing_.plot.center().x(), drawing_.size.height() - 0.4 * line_height},
              chart_.x_title, 0, style_.text);
-        text({0.95 * line_height, drawing_.plot.center().y()}, chart_.y_title, 0, style_.text,
-             true);
+        const QString values =
+            chart_.percent ? QObject::tr("% of %1").arg(chart_.y_title) : chart_.y_title;
+        text({0.95 * line_height, drawing_.plot.center().y()}, values, 0, style_.text, true);
         double x = drawing_.plot.left();
         const double y = 1.2 * line_height;
         const double box = 0.7 * line_height;
@@ -351,7 +352,6 @@ void paint_chart(QPainter& painter, const ChartDrawing& drawing, const ChartStyl
 }
 
 QString chart_svg(const ChartDrawing& drawing, const ChartStyle& style) {
-    const QString size = QStringLiteral("%1 %2");
     QString text = QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %1 %2\" "
                                   "font-family=\"sans-serif\" font-size=\"%3\">\n"
                                   "<rect width=\"%1\" height=\"%2\" fill=\"%4\"/>\n")

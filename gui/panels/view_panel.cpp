@@ -186,7 +186,13 @@ void ViewPanel::addEllipsoids(QVBoxLayout& column) {
     compress_->setToolTip(tr("An aspect ratio AR is drawn as AR to this power; 1 is true"));
     form->addRow(tr("Where"), where_);
     form->addRow(tr("Metric"), source_);
+    side_by_side_ = new QPushButton(tr("Means side by &side"));
+    side_by_side_->setCheckable(true);
+    side_by_side_->setToolTip(
+        tr("Four views: corrected, interpolation, log-Euclidean and geodesic mean"));
+    connect(side_by_side_, &QPushButton::clicked, this, &ViewPanel::meansSideBySideRequested);
     form->addRow(tr("Mean"), mean_);
+    form->addRow(QString(), side_by_side_);
     form->addRow(tr("At most"), count_);
     form->addRow(tr("Size"), ball_scale_);
     form->addRow(tr("AR power"), compress_);
@@ -305,6 +311,11 @@ void ViewPanel::setShownRange(const std::optional<std::pair<double, double>>& ra
         range_low_->setValue(range->first);
         range_high_->setValue(range->second);
     }
+}
+
+void ViewPanel::setMeansSideBySide(bool on) {
+    side_by_side_->setChecked(on);
+    mean_->setEnabled(!on && options_.ellipsoids.where != EllipsoidOptions::Where::none);
 }
 
 void ViewPanel::setPickKnown(bool known) {

@@ -35,6 +35,7 @@ public:
     /// The range of the colours at present, which locking keeps.
     void setShownRange(const std::optional<std::pair<double, double>>& range);
     void setPickKnown(bool known);
+    void setMeansSideBySide(bool on); ///< tells nobody
 
     [[nodiscard]] QGroupBox& clipBox() { return *clip_; }
     [[nodiscard]] QGroupBox& lensBox() { return *lens_; }
@@ -47,6 +48,7 @@ public slots:
 signals:
     void optionsChanged(const ameco::gui::SceneOptions& options); ///< by the user's hand
     void lensAtPickRequested();
+    void meansSideBySideRequested(bool on);
 
 private:
     void addLook(QVBoxLayout& column);
@@ -77,6 +79,7 @@ private:
     NumberEdit* lens_factor_;
     QPushButton* lens_at_pick_;
     QComboBox *where_, *source_, *mean_;
+    QPushButton* side_by_side_;
     QSpinBox* count_;
     NumberEdit *ball_scale_, *compress_;
     QCheckBox *axes_, *scale_bar_, *legend_;

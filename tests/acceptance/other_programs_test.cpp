@@ -14,6 +14,7 @@ private slots:
     void we_read_what_meshio_writes();
     void gmsh_reads_what_we_write_data();
     void gmsh_reads_what_we_write();
+    void an_isotropic_mesh_of_gmsh_loses_six_of_seven_nodes();
     void we_read_what_gmsh_writes_data();
     void we_read_what_gmsh_writes();
 };
@@ -206,6 +207,24 @@ void OtherProgramsTest::we_read_what_gmsh_writes() {
     if (!name.endsWith(".vtk")) {
         QCOMPARE(patches.at(0).at("name").get<std::string>(), std::string("wall"));
     }
+}
+
+/// Of 8 in theory; on the paper's Algorithm 1 see docs/theory/coarsening.md.
+void OtherProgramsTest::an_isotropic_mesh_of_gmsh_loses_six_of_seven_nodes() {
+    if (!has_gmsh()) {
+        QSKIP("gmsh is not installed");
+    }
+    const Workspace here;
+    here.write("cube.geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
+                           "Mesh.CharacteristicLengthMin = 0.075;\n"
+                           "Mesh.CharacteristicLengthMax = 0.075;\n");
+    const Run gmsh = here.shell("gmsh -3 cube.geo -format mesh -o cube.mesh");
+    QVERIFY2(gmsh.code == 0, gmsh.text());
+    const Run run = here.ameco({"coarsen", "cube.mesh", "-o", "levels", "-n", "1", "--json"});
+    QVERIFY2(run.code == 0, run.text());
+    const auto level = run.json().at("hierarchy").at("levels").at(1);
+    QCOMPARE_GE(level.at("ratio").get<double>(), 6.0);
+    QCOMPARE_GE(level.at("nodes").get<double>(), 0.7 * level.at("predicted_nodes").get<double>());
 }
 
 QTEST_GUILESS_MAIN(OtherProgramsTest)

@@ -48,7 +48,8 @@ void WindowRunTest::the_batch_program_needs_no_window_library() {
     if (run.code != 0) {
         QSKIP("no ldd here");
     }
-    for (const char* library : {"libQt", "libvtkRendering", "libGL", "libEGL", "libX11", "libxcb"}) {
+    for (const char* library :
+         {"libQt", "libvtkRendering", "libGL", "libEGL", "libX11", "libxcb"}) {
         QVERIFY2(!run.out.contains(library), library);
     }
 }

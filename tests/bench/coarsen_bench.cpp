@@ -2,11 +2,12 @@
 /// \file
 /// What the coarsener reaches, beside the ideal or the paper, and what it costs.
 ///
-///     coarsen_bench box layers m6 means algorithms control scaling
+///     coarsen_bench box layers m6 means algorithms isotropic control scaling
 ///
 /// takes the parts wanted, and without arguments box, layers and m6.
 #include "core/base/parallel.h"
 #include "core/cases/box.h"
+#include "core/cases/cube.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
 #include "core/coarsen/target_ratio.h"
@@ -200,13 +201,19 @@ void means() {
 void algorithms() {
     std::printf(
         "\nInterface: heights 1/16, 1/4, 1, 1, ... of the width; nodes, ratio, share of the "
-        "predicted nodes, edges in band and above 2 [%%]; two levels\n");
+        "predicted nodes, edges in band and above 2 [%%]; two levels. Graded layer: aspect ratio "
+        "1e2, growth 1.2; M6, 67,455 nodes\n");
     LayerOptions layer;
     layer.aspect_ratio = 16;
     layer.growth = 4;
     const Mesh<3> mesh_3d = make_layer<3>(layer);
     layer.nx = 96;
     const Mesh<2> mesh_2d = make_layer<2>(layer);
+    layer = {};
+    layer.aspect_ratio = 1e2;
+    layer.growth = 1.2;
+    const Mesh<3> graded_layer = make_layer<3>(layer);
+    const Mesh<3> wing_mesh = make_onera_m6(preset("m6-67k"));
     for (const TargetAlgorithm algorithm : all_target_algorithms) {
         for (const double beta : {1.2, 1.5}) {
             if (algorithm != TargetAlgorithm::graded && beta > 1.2) {
@@ -220,6 +227,31 @@ void algorithms() {
                 (algorithm == TargetAlgorithm::graded ? beta > 1.2 ? ", 1.5" : ", 1.2" : "");
             print_levels("3-D, " + what, finest_level(mesh_3d, options), options, 2);
             print_levels("2-D, " + what, finest_level(mesh_2d, options), options, 2);
+            print_levels("graded layer, " + what, finest_level(graded_layer, options), options, 3);
+            print_levels("M6, " + what, finest_level(wing_mesh, options), options, 4);
+        }
+    }
+}
+
+/// Meshes without layers.
+void isotropic() {
+    std::printf("\nIsotropic meshes; nodes, ratio, share of the predicted nodes, edges in band and "
+                "above 2 [%%]; three levels\n");
+    for (const double below : {1.0, TargetOptions{}.isotropic_below}) {
+        CoarsenOptions options;
+        options.target.isotropic_below = below;
+        char end[32];
+        std::snprintf(end, sizeof end, ", below %.1f", below);
+        for (const Diagonals diagonals : {Diagonals::uniform, Diagonals::random}) {
+            CubeOptions cube;
+            cube.n = 24;
+            cube.diagonals = diagonals;
+            const std::string what = diagonals == Diagonals::uniform ? "Kuhn" : "random diagonals";
+            print_levels("cube, " + what + end, finest_level(make_cube<3>(cube), options), options,
+                         3);
+            cube.n = 100;
+            print_levels("square, " + what + end, finest_level(make_cube<2>(cube), options),
+                         options, 3);
         }
     }
 }
@@ -291,6 +323,9 @@ int main(int argc, char** argv) {
     }
     if (wanted("algorithms")) {
         algorithms();
+    }
+    if (wanted("isotropic")) {
+        isotropic();
     }
     if (wanted("control")) {
         control();

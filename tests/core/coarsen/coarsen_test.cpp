@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/cases/box.h"
+#include "core/cases/cube.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
 
@@ -107,6 +108,7 @@ private slots:
     void a_request_to_stop_is_answered_with_cancelled_data();
     void a_request_to_stop_is_answered_with_cancelled();
     void the_boundary_stays_within_its_tolerance();
+    void isotropic_meshes_are_coarsened_in_all_directions();
 };
 
 void CoarsenTest::the_box_of_section_5_1_loses_its_middle_layer_data() {
@@ -373,6 +375,25 @@ void CoarsenTest::the_boundary_stays_within_its_tolerance() {
     for (const CoarsenReport& report : result.reports) {
         QVERIFY(report.deviation < 0.05); // the cells are about 0.1 wide
     }
+}
+
+/// Displaced nodes and diagonals at random: 8 (4 in 2-D) would be ideal.
+void CoarsenTest::isotropic_meshes_are_coarsened_in_all_directions() {
+    const auto ratio = [](const auto& mesh, double below) {
+        CoarsenOptions options;
+        options.target.isotropic_below = below;
+        CoarsenReport report;
+        (void)coarsen(finest_level(mesh, options), options, report);
+        return static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after);
+    };
+    CubeOptions cube;
+    cube.n = 14;
+    cube.diagonals = Diagonals::random;
+    const Mesh<3> solid = make_cube<3>(cube);
+    QCOMPARE_GE(ratio(solid, CoarsenOptions().target.isotropic_below), 4.5);
+    QCOMPARE_LE(ratio(solid, 1), 3.7); // the paper's Algorithm 1
+    cube.n = 40;
+    QCOMPARE_GE(ratio(make_cube<2>(cube), CoarsenOptions().target.isotropic_below), 3.5);
 }
 
 QTEST_APPLESS_MAIN(CoarsenTest)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/core/io/gmf_bytes.h"
 #include "tests/core/io/io_support.h"
+#include "tests/support/shapes.h"
 
 #include <sys/stat.h>
 #include <zlib.h>
@@ -20,6 +21,7 @@ private slots:
     void unpacks_gz();
     void reports_damaged_gz();
     void stops_unpacking_what_fills_memory();
+    void says_that_compressed_cgns_is_to_be_unpacked();
     void refuses_unknown_suffixes();
 };
 
@@ -147,6 +149,20 @@ void IoTest::stops_unpacking_what_fills_memory() {
     // The first megabyte is free, so that nothing small is refused.
     static_cast<void>(packed(folder / "b.mesh.gz", text_mesh + std::string(900000, ' ')));
     static_cast<void>(read_mesh(folder / "b.mesh.gz"));
+}
+
+void IoTest::says_that_compressed_cgns_is_to_be_unpacked() {
+    const Folder folder;
+    const auto path = folder / "a.cgns";
+    try {
+        static_cast<void>(write_mesh(path, shapes::cube(1)));
+    } catch (const Error& error) {
+        QSKIP(error.what());
+    }
+    static_cast<void>(packed(folder / "a.cgns.gz", content_of(path)));
+    QVERIFY(contains(
+        message_of<InputError>([&] { static_cast<void>(read_mesh(folder / "a.cgns.gz")); }),
+        "unpack it first"));
 }
 
 void IoTest::reports_damaged_gz() {

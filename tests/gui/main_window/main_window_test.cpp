@@ -8,6 +8,7 @@
 #include "gui/panels/chart_panel.h"
 #include "gui/panels/coarsen_panel.h"
 #include "gui/panels/command_panel.h"
+#include "gui/panels/convergence_panel.h"
 #include "gui/panels/hierarchy_panel.h"
 #include "gui/panels/inspector_panel.h"
 #include "gui/panels/log_panel.h"
@@ -104,6 +105,7 @@ private slots:
     void opens_by_the_dialog();
     void opens_by_dropping_a_file();
     void a_broken_file_is_told_and_nothing_is_lost();
+    void a_mesh_is_seen_before_it_is_measured();
     void a_clip_plane_takes_a_part_away();
     void a_hidden_patch_is_not_seen();
     void picking_a_node_tells_all_about_it();
@@ -113,6 +115,8 @@ private slots:
     void brushing_lights_up_nodes();
     void selected_patches_are_counted_in_the_histogram();
     void the_lens_stretches_the_layers_and_says_so();
+    void measures_how_multigrid_converges();
+    void means_stand_side_by_side();
     void exports_what_is_seen();
     void a_session_comes_back();
     void closes_while_a_job_runs();
@@ -187,6 +191,24 @@ void MainWindowTest::a_broken_file_is_told_and_nothing_is_lost() {
     QCOMPARE(w.document().levels().size(), std::size_t{1});
     QVERIFY(w.coarsen(1)); // and work goes on
     QCOMPARE(w.document().levels().size(), std::size_t{2});
+}
+
+void MainWindowTest::a_mesh_is_seen_before_it_is_measured() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    const auto layer = w.views().view(0).scene().data();
+    std::size_t seen = 0;
+    connect(&w.document(), &Document::sketched, &w, [&] {
+        seen = w.views().view(0).scene().data()->node_count;
+        w.jobs().cancel();
+    });
+    w.openPath(sample("m6_8k.meshb"));
+    QVERIFY(w.idle());
+    QVERIFY(seen > 8000);
+    // It was cancelled: what was open before is shown again.
+    QCOMPARE(w.views().view(0).scene().data(), layer);
+    QVERIFY(w.windowTitle().startsWith("layer.meshb"));
 }
 
 void MainWindowTest::a_clip_plane_takes_a_part_away() {
@@ -362,6 +384,47 @@ void MainWindowTest::the_lens_stretches_the_layers_and_says_so() {
             w.viewController().picked()->pick->position);
     QVERIFY(!view.scene().scale_label().empty());
     QVERIFY(difference(before, w.picture()) > 0.02);
+}
+
+void MainWindowTest::measures_how_multigrid_converges() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    w.convergencePanel().measure();
+    QVERIFY(!w.convergencePanel().jobs().isRunning()); // there is one level only
+    QVERIFY(w.coarsen(1));
+    w.convergencePanel().measure();
+    QTRY_COMPARE_WITH_TIMEOUT(w.convergencePanel().chart().chart().series.size(), std::size_t{2},
+                              patience);
+    for (const ChartSeries& s : w.convergencePanel().chart().chart().series) {
+        QCOMPARE(s.values.front(), 1.0);
+        QVERIFY(s.values.back() < 1e-8);
+    }
+}
+
+void MainWindowTest::means_stand_side_by_side() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("model_layer.mesh")));
+    SceneOptions options = w.viewController().options();
+    options.ellipsoids.where = EllipsoidOptions::Where::picked;
+    emit w.viewPanel().optionsChanged(options);
+    emit w.inspectorPanel().nodeRequested(2);
+    emit w.viewPanel().meansSideBySideRequested(true);
+    QCOMPARE(w.views().viewCount(), 4);
+    std::set<std::string> captions;
+    std::set<Mean> means;
+    for (int v = 0; v < 4; ++v) {
+        QVERIFY(w.drawn(v));
+        captions.insert(w.views().view(v).scene().data()->name());
+        means.insert(w.views().view(v).options().ellipsoids.mean);
+        QCOMPARE(w.views().view(v).scene().shown_ellipsoids(), std::size_t{1});
+    }
+    QCOMPARE(captions.size(), std::size_t{4});
+    QCOMPARE(means.size(), std::size_t{4});
+    w.setViewCount(1);
+    QVERIFY(w.drawn());
+    QCOMPARE(w.views().view(0).scene().data()->name(), std::string("level 0"));
 }
 
 void MainWindowTest::exports_what_is_seen() {

@@ -17,6 +17,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 
 #include <cstdio>
@@ -71,10 +72,6 @@ public:
         settle();
         save_widget(window_, name);
     }
-    void save_views(const QString& name) {
-        settle();
-        window_.views().grabImage(1).save(folder_ + "/" + name);
-    }
     void save_widget(QWidget& widget, const QString& name) {
         const QImage image = widget.grab().toImage();
         image.convertToFormat(QImage::Format_RGB888).save(folder_ + "/" + name, "PNG", 0);
@@ -104,21 +101,117 @@ private:
     QString folder_;
 };
 
+/// A parallel view with a place in the middle.
+Camera camera_at(const Vec3& focus, StandardView from, double height) {
+    Camera camera = camera_of(from);
+    camera.focus = focus;
+    camera.height = height;
+    return camera;
+}
+
+/// Sections 5.2 and figures 8-11: the wing.
+void take_wing(const QString& mesh, const QString& folder) {
+    Tour tour(folder);
+    tour.open(mesh);
+    tour.scene([](SceneOptions& o) { o.colour = ColourBy::aspect_ratio; });
+    tour.save("window.png");
+    tour.coarsen(4);
+    tour.window().aspectRatioPanel().setPercent(true);
+    tour.settle();
+    tour.window().document().setCurrent(2);
+    tour.scene([](SceneOptions& o) {
+        o.colour = ColourBy::patch;
+        o.legend = false;
+        o.axes = false;
+    });
+    tour.window().setViewCount(2);
+    tour.look(camera_at({-0.002, 0, 0}, StandardView::minus_y, 0.036));
+    tour.save("compare.png");
+    ChartPanel& histogram = tour.window().aspectRatioPanel();
+    histogram.exportTo(folder + "/histogram.svg");
+
+    tour.window().setViewCount(1);
+    tour.window().document().setCurrent(0);
+    tour.scene([](SceneOptions& o) {
+        o.colour = ColourBy::aspect_ratio;
+        o.legend = true;
+        o.axes = true;
+        o.clip.enabled = true;
+        o.clip.normal = {0, -1, 0};
+        o.clip.origin = {0, 0.6, 0};
+    });
+    tour.look(camera_at({0.45, 0.6, 0.0}, StandardView::minus_y, 0.5));
+    tour.window().raisePanel(tour.window().viewPanel());
+    tour.save("clip.png");
+}
+
+/// Section 5.1 and figure 7: the box, its short direction stretched.
+void take_box(const QString& mesh, const QString& folder) {
+    Tour tour(folder);
+    tour.open(mesh);
+    tour.coarsen(1);
+    tour.window().setViewCount(2);
+    tour.scene([](SceneOptions& o) { o.view_scale = {1, 1, 1000}; });
+    tour.window().views().standardView(StandardView::corner);
+    tour.window().views().resetCamera();
+    tour.window().raisePanel(tour.window().viewPanel());
+    tour.save("scaled.png");
+}
+
+/// Figure 3: the unit balls of four means at a node of a wall that turns.
+void take_means(const QString& mesh, const QString& folder) {
+    Tour tour(folder);
+    tour.open(mesh);
+    tour.scene([](SceneOptions& o) {
+        o.ellipsoids.where = EllipsoidOptions::Where::picked;
+        o.ellipsoids.scale = 1;
+        o.colour = ColourBy::none;
+    });
+    const auto& level = *tour.window().document().current();
+    NodeId most; // the node with the most elements stands where the wall turns
+    std::visit(
+        [&]<int D>(const Level<D>& l) {
+            double nearest = 1e300;
+            for (const NodeId v : l.mesh.points.ids()) {
+                const double d = l.mesh.points[v].norm();
+                if (d < nearest) {
+                    nearest = d;
+                    most = v;
+                }
+            }
+        },
+        *level.level);
+    emit tour.window().inspectorPanel().nodeRequested(most.value());
+    wait_for("the node", [&] { return tour.window().inspectorPanel().inspection().has_value(); });
+    // Along the short direction the balls are a thousandth of their width.
+    const Inspection node = *tour.window().inspectorPanel().inspection();
+    tour.scene([&](SceneOptions& o) {
+        o.lens.enabled = true;
+        o.lens.origin = {node.point[0], node.point[1], 0};
+        o.lens.normal = {node.directions[0][0], node.directions[0][1], 0};
+        o.lens.factor = node.aspect_ratio;
+        o.axes = false;
+    });
+    emit tour.window().viewPanel().meansSideBySideRequested(true);
+    tour.look(camera_at({node.point[0], node.point[1], 0}, StandardView::plus_z, 4));
+    tour.window().raisePanel(tour.window().inspectorPanel());
+    tour.save("means.png");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: gui_tour M6_MESH BOX_MESH FOLDER\n");
+    if (argc != 5) {
+        std::fprintf(stderr, "usage: gui_tour M6_MESH BOX_MESH MODEL_LAYER_MESH FOLDER\n");
         return 2;
     }
     VtkWidget::setDefaultFormat();
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("ameco-tour");
+    QStandardPaths::setTestModeEnabled(true);
     apply_theme(application, false);
-    Tour tour(argv[3]);
-    tour.open(argv[1]);
-    tour.save("window.png");
-    tour.coarsen(3);
-    tour.save("levels.png");
+    take_wing(argv[1], argv[4]);
+    take_box(argv[2], argv[4]);
+    take_means(argv[3], argv[4]);
     return 0;
 }
