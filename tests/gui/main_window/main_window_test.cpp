@@ -110,6 +110,7 @@ private slots:
     void a_hidden_patch_is_not_seen();
     void picking_a_node_tells_all_about_it();
     void makes_two_levels_and_compares_them();
+    void a_frozen_patch_stays_as_it_is();
     void the_prediction_follows_the_settings();
     void cancelling_keeps_what_is_finished();
     void brushing_lights_up_nodes();
@@ -296,6 +297,24 @@ void MainWindowTest::makes_two_levels_and_compares_them() {
     QTest::mouseMove(left.focusProxy(), middle + QPoint(60, 30));
     QTest::mouseRelease(left.focusProxy(), Qt::LeftButton, {}, middle + QPoint(60, 30));
     QTRY_VERIFY(!(w.views().view(1).camera() == before));
+}
+
+void MainWindowTest::a_frozen_patch_stays_as_it_is() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    PatchModel& patches = w.patches();
+    patches.setData(patches.index(0, PatchModel::frozen), Qt::Checked, Qt::CheckStateRole);
+    const int patch = patches.patchOf(0);
+    QCOMPARE(w.coarsenPanel().options().coarsen.features.frozen_patches, std::vector<int>{patch});
+    QVERIFY(w.coarsen(1));
+    const auto faces = [&](int id) {
+        const auto& ids = w.document().level(id)->scene->triangle_patch;
+        return std::count(ids.begin(), ids.end(), patch);
+    };
+    QVERIFY(faces(0) > 0);
+    QCOMPARE(faces(1), faces(0));
+    QVERIFY(w.commandPanel().command().contains(QString("--freeze %1").arg(patch)));
 }
 
 void MainWindowTest::the_prediction_follows_the_settings() {
