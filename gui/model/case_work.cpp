@@ -158,8 +158,9 @@ LoadedCase read_finest(const fs::path& path, const HierarchyOptions& options, co
         loaded.levels.push_back(surface_level(std::move(*mesh), monitor));
         return loaded;
     }
-    std::visit([&](auto& mesh) { add_finest(std::move(mesh), path, options, sketch, loaded, monitor); },
-               file.mesh);
+    std::visit(
+        [&](auto& mesh) { add_finest(std::move(mesh), path, options, sketch, loaded, monitor); },
+        file.mesh);
     return loaded;
 }
 

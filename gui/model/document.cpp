@@ -151,8 +151,8 @@ void Document::open(const QString& path) {
     jobs_.start(tr("Opening %1").arg(name_of(path)), [this, path](JobContext& job) {
         const std::filesystem::path file = path.toStdString();
         std::error_code unreadable; // then reading the file tells why
-        const bool hierarchy = std::filesystem::is_directory(file, unreadable) ||
-                               file.filename() == "hierarchy.json";
+        const bool hierarchy =
+            std::filesystem::is_directory(file, unreadable) || file.filename() == "hierarchy.json";
         const auto sketch = [this, &job](std::shared_ptr<const SceneData> scene) {
             job.post([this, scene = std::move(scene)] { emit sketched(scene); });
         };
