@@ -106,6 +106,7 @@ private slots:
     void opens_by_dropping_a_file();
     void a_broken_file_is_told_and_nothing_is_lost();
     void a_mesh_is_seen_before_it_is_measured();
+    void a_surface_without_volume_can_be_shown_in_all_ways();
     void a_clip_plane_takes_a_part_away();
     void a_hidden_patch_is_not_seen();
     void picking_a_node_tells_all_about_it();
@@ -210,6 +211,29 @@ void MainWindowTest::a_mesh_is_seen_before_it_is_measured() {
     // It was cancelled: what was open before is shown again.
     QCOMPARE(w.views().view(0).scene().data(), layer);
     QVERIFY(w.windowTitle().startsWith("layer.meshb"));
+}
+
+void MainWindowTest::a_surface_without_volume_can_be_shown_in_all_ways() {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("corner.mesh"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n"
+               "0 0 1 1\nTriangles 4\n1 3 2 1\n1 2 4 1\n1 4 3 2\n2 3 4 2\nEnd\n");
+    file.close();
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY2(w.open(file.fileName()), qPrintable(w.logPanel().toPlainText()));
+    for (int colour = 0; colour < w.viewPanel().colourBox().count(); ++colour) {
+        w.viewPanel().colourBox().setCurrentIndex(colour);
+        QVERIFY(w.idle() && w.drawn());
+        QVERIFY2(w.covered() > 0.02, qPrintable(w.viewPanel().colourBox().currentText()));
+    }
+    w.viewPanel().clipAcross(0);
+    QVERIFY(w.drawn());
+    QTest::mouseClick(w.views().view(0).focusProxy(), Qt::LeftButton, {},
+                      w.views().view(0).rect().center());
+    QVERIFY(w.drawn());
+    QVERIFY(!w.coarsenPanel().runButton().isEnabled());
 }
 
 void MainWindowTest::a_clip_plane_takes_a_part_away() {
