@@ -20,28 +20,36 @@ vtkSmartPointer<vtkCellArray> cells_from(vtkTypeInt32Array* offsets, vtkTypeInt3
     return cells;
 }
 
-/// Array of `Vtk` with a tuple for each std::array.
-template <class Vtk, class Tuples>
-vtkSmartPointer<Vtk> tuples_of(const Tuples& tuples) {
-    auto array = vtkSmartPointer<Vtk>::New();
-    array->SetNumberOfComponents(static_cast<int>(std::tuple_size_v<typename Tuples::value_type>));
-    array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
-    auto* to = array->GetPointer(0);
-    for (const auto& tuple : tuples) {
-        to = std::copy(tuple.begin(), tuple.end(), to);
+/// A tuple of bytes for each std::array.
+template <class Colours>
+vtkSmartPointer<vtkUnsignedCharArray> bytes_of(const Colours& colours) {
+    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    array->SetNumberOfComponents(static_cast<int>(std::tuple_size_v<typename Colours::value_type>));
+    array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
+    unsigned char* to = array->GetPointer(0);
+    for (const auto& colour : colours) {
+        to = std::copy(colour.begin(), colour.end(), to);
     }
     return array;
 }
 
 } // namespace
 
-vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Float3>& triples) {
-    return tuples_of<vtkFloatArray>(triples);
+vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Vec<3>>& vectors) {
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
+    float* to = array->GetPointer(0);
+    for (const Vec<3>& v : vectors) {
+        to = std::transform(v.data(), v.data() + 3, to,
+                            [](double x) { return static_cast<float>(x); });
+    }
+    return array;
 }
 
-vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Float3>& triples) {
+vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Vec<3>>& positions) {
     auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetData(to_vtk(triples));
+    points->SetData(to_vtk(positions));
     return points;
 }
 
@@ -53,11 +61,11 @@ vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<float>& values) {
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgb>& colours) {
-    return tuples_of<vtkUnsignedCharArray>(colours);
+    return bytes_of(colours);
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgba>& colours) {
-    return tuples_of<vtkUnsignedCharArray>(colours);
+    return bytes_of(colours);
 }
 
 vtkSmartPointer<vtkCellArray> to_vtk(std::span<const std::array<std::int32_t, 4>> polygons) {

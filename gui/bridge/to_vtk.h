@@ -3,6 +3,8 @@
 /// Core's arrays as VTK's.
 #pragma once
 
+#include "core/base/vec.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,12 +19,12 @@ class vtkUnsignedCharArray;
 
 namespace ameco::gui {
 
-using Float3 = std::array<float, 3>;
 using Rgb = std::array<unsigned char, 3>;
 using Rgba = std::array<unsigned char, 4>; ///< the last is the opacity
 
-[[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Float3>& triples);
-[[nodiscard]] vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Float3>& triples);
+/// In single precision, as graphics cards have them: to be near the origin beforehand.
+[[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<Vec<3>>& vectors);
+[[nodiscard]] vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Vec<3>>& positions);
 [[nodiscard]] vtkSmartPointer<vtkFloatArray> to_vtk(const std::vector<float>& values);
 [[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgb>& colours);
 [[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> to_vtk(const std::vector<Rgba>& colours);

@@ -12,12 +12,6 @@ namespace {
 constexpr std::size_t most_entries = 24;
 constexpr double paper_opacity = 0.72;
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
-
 std::vector<LegendEntry> shown_entries(const Legend& legend) {
     std::vector<LegendEntry> entries = legend.entries;
     if (entries.size() > most_entries) {
@@ -37,6 +31,22 @@ std::vector<double> tick_values(const Legend& legend) {
 }
 
 } // namespace
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text,
+                  std::abs(value) >= 1e4 && std::abs(value) < 1e6 ? "%.0f" : "%.4g", value);
+    std::string number = text;
+    if (const std::size_t e = number.find('e'); e != std::string::npos) {
+        std::size_t digits = e + 2; // after the sign
+        while (number[digits] == '0') {
+            ++digits;
+        }
+        number =
+            number.substr(0, e + 1) + (number[e + 1] == '-' ? "-" : "") + number.substr(digits);
+    }
+    return number;
+}
 
 std::vector<double> ticks(const Range& range, bool logarithmic, int about) {
     std::vector<double> values;
@@ -60,7 +70,7 @@ std::vector<double> ticks(const Range& range, bool logarithmic, int about) {
     const double step = round_length((range.second - range.first) / about * 1.5);
     for (double k = std::ceil(range.first / step - slack); k * step <= range.second + slack * step;
          k += 1) {
-        values.push_back(k * step);
+        values.push_back(k * step + 0.0); // no -0
     }
     return values;
 }
@@ -69,7 +79,7 @@ double legend_width(const Legend& legend, double em) {
     double widest = 0;
     if (legend.range) {
         for (const double value : tick_values(legend)) {
-            widest = std::max(widest, Overlay::width_of(number(value), em) + 2.2 * em);
+            widest = std::max(widest, Overlay::width_of(short_number(value), em) + 2.2 * em);
         }
     }
     for (const LegendEntry& entry : shown_entries(legend)) {
@@ -98,7 +108,7 @@ void draw_legend(Overlay& overlay, const Legend& legend, const Area& area, doubl
             const double y =
                 bottom + height * place_in(*legend.range, is_logarithmic(legend.colour), value);
             overlay.line(left + 1.2 * em, y, left + 1.6 * em, y, em / 12, ink);
-            overlay.text(left + 1.9 * em, y, number(value), em, ink);
+            overlay.text(left + 1.9 * em, y, short_number(value), em, ink);
         }
         return;
     }
@@ -132,7 +142,7 @@ void draw_scale_bar(Overlay& overlay, const Area& area, double em, double units_
     for (const double x : {right - pixels, right}) {
         overlay.line(x, y - em / 3, x, y + em / 3, em / 8, ink);
     }
-    overlay.text(right - pixels / 2, y + em, number(length), em, ink, Align::centre);
+    overlay.text(right - pixels / 2, y + em, short_number(length), em, ink, Align::centre);
 }
 
 void draw_axes(Overlay& overlay, const Area& area, double em, const Vec3& right, const Vec3& up,

@@ -31,6 +31,9 @@ struct Area {
     double left = 0, bottom = 0, width = 0, height = 0;
 };
 
+/// Four digits, without what they do not need: 0.25, 10000, 1e-5, 2e6.
+[[nodiscard]] std::string short_number(double value);
+
 /// Round numbers in a range, not too many: 1, 2, 5 and powers of ten.
 [[nodiscard]] std::vector<double> ticks(const Range& range, bool logarithmic, int about);
 

@@ -51,8 +51,8 @@ MeshScene::Impl::Impl() {
     surface_property->SetEdgeColor(0.13, 0.14, 0.17);
     vtkProperty* const glyph_property = glyph_actor_.actor()->GetProperty();
     glyph_property->SetInterpolationToPhong();
-    glyph_property->SetAmbient(0.3);
-    glyph_property->SetDiffuse(0.7);
+    glyph_property->SetAmbient(0.42);
+    glyph_property->SetDiffuse(0.62);
     glyph_property->SetSpecular(0.25);
     glyph_property->SetSpecularPower(20);
     for (const SceneActor* flat : {&lines_actor_, &dots_actor_, &highlight_actor_}) {

@@ -5,18 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ameco::gui {
 namespace {
 
 constexpr Rgb mark_colour{235, 20, 120};
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 } // namespace
 
@@ -129,11 +122,12 @@ std::string MeshScene::Impl::scale_label() const {
     std::string text = "VIEW SCALED";
     for (int k = 0; k < 3; ++k) {
         if (options.view_scale[k] != 1) {
-            text += std::string("   ") + "xyz"[k] + " \u00d7 " + number(options.view_scale[k]);
+            text +=
+                std::string("   ") + "xyz"[k] + " \u00d7 " + short_number(options.view_scale[k]);
         }
     }
     if (options.lens.enabled && options.lens.factor != 1) {
-        text += "   wall normal \u00d7 " + number(options.lens.factor);
+        text += "   wall normal \u00d7 " + short_number(options.lens.factor);
     }
     return text;
 }

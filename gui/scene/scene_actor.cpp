@@ -20,14 +20,6 @@
 namespace ameco::gui {
 namespace {
 
-std::vector<Float3> floats_of(const std::vector<Vec3>& vectors) {
-    std::vector<Float3> floats(vectors.size());
-    std::transform(vectors.begin(), vectors.end(), floats.begin(), [](const Vec3& v) {
-        return Float3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-    });
-    return floats;
-}
-
 vtkSmartPointer<vtkLookupTable> sequential_table() {
     auto table = vtkSmartPointer<vtkLookupTable>::New();
     constexpr vtkIdType entries = 256;
@@ -54,7 +46,7 @@ void SceneActor::clear() {
 }
 
 void SceneActor::set_points(const std::vector<Vec3>& places) {
-    data_->SetPoints(to_vtk_points(floats_of(places)));
+    data_->SetPoints(to_vtk_points(places));
 }
 
 void SceneActor::set_polygons(const std::vector<std::array<std::int32_t, 4>>& polygons) {
@@ -71,11 +63,11 @@ void SceneActor::set_flat_normals(const std::vector<std::array<std::int32_t, 4>>
                               .cross(places[static_cast<std::size_t>(p[2])] - a)
                               .normalized());
     }
-    data_->GetCellData()->SetNormals(to_vtk(floats_of(normals)));
+    data_->GetCellData()->SetNormals(to_vtk(normals));
 }
 
 void SceneActor::set_normals(const std::vector<Vec3>& normals) {
-    data_->GetPointData()->SetNormals(to_vtk(floats_of(normals)));
+    data_->GetPointData()->SetNormals(to_vtk(normals));
 }
 
 void SceneActor::set_lines(const std::vector<std::array<std::int32_t, 2>>& lines) {

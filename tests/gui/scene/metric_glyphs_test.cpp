@@ -36,6 +36,7 @@ private slots:
     void are_at_most_so_many();
     void stand_at_the_clip_plane();
     void lie_along_the_long_direction_in_the_picture();
+    void are_lit_from_the_eye();
 };
 
 void MetricGlyphsTest::have_the_sizes_and_directions_of_the_metric_data() {
@@ -179,6 +180,36 @@ void MetricGlyphsTest::lie_along_the_long_direction_in_the_picture() {
     QVERIFY2(std::abs(seen_short.dot(expected)) > 0.98,
              std::to_string(seen_short.dot(expected)).c_str());
     QVERIFY(solver.eigenvalues()[1] > 9 * solver.eigenvalues()[0]); // stretched over 3
+}
+
+void MetricGlyphsTest::are_lit_from_the_eye() {
+    const auto data = make_level("cube", {{"n", "2"}, {"displace", "0"}});
+    Studio studio(data);
+    studio.bare();
+    NodeId corner;
+    for (std::size_t i = 0; i < data->node_count; ++i) {
+        if (data->position(NodeId(i)).norm() < 1e-12) {
+            corner = NodeId(i);
+        }
+    }
+    SceneOptions options = studio.scene.options();
+    options.ellipsoids.where = EllipsoidOptions::Where::picked;
+    options.ellipsoids.compress = 0.05; // as good as a ball
+    studio.scene.set_options(options);
+    studio.scene.mark(corner);
+    Camera camera;
+    camera.sight = {1, 1, 1};
+    camera.height = 1.5;
+    studio.scene.set_camera(camera);
+    const QImage image = studio.picture();
+    // From the middle to the rim it gets darker; the mark's ring is left out.
+    const int middle = image.pixelColor(240, 180).lightness();
+    int rim = 0;
+    for (int x = 256; x < image.width() && is_ball(image.pixelColor(x, 180)); ++x) {
+        rim = image.pixelColor(x, 180).lightness();
+    }
+    QVERIFY2(middle > rim + 20 && rim > 0,
+             (std::to_string(middle) + " " + std::to_string(rim)).c_str());
 }
 
 QTEST_GUILESS_MAIN(MetricGlyphsTest)

@@ -15,6 +15,7 @@ private slots:
     void names_lead_back_to_what_they_name();
     void ticks_are_round_and_in_the_range();
     void lengths_of_scale_bars_are_round();
+    void numbers_are_short();
 };
 
 void SceneInputTest::finds_the_level_on_which_nodes_are_missing() {
@@ -54,6 +55,23 @@ void SceneInputTest::lengths_of_scale_bars_are_round() {
     QCOMPARE(round_length(0.3), 0.2);
     QCOMPARE(round_length(7), 5.0);
     QCOMPARE(round_length(1.5e-7), 1e-7);
+}
+
+void SceneInputTest::numbers_are_short() {
+    for (const auto& [value, text] :
+         std::initializer_list<std::pair<double, const char*>>{{0, "0"},
+                                                               {0.25, "0.25"},
+                                                               {1, "1"},
+                                                               {1000, "1000"},
+                                                               {10000, "10000"},
+                                                               {200000, "200000"},
+                                                               {1e6, "1e6"},
+                                                               {2.5e12, "2.5e12"},
+                                                               {1e-5, "1e-5"},
+                                                               {-3e-10, "-3e-10"},
+                                                               {1.0 / 3, "0.3333"}}) {
+        QCOMPARE(short_number(value), std::string(text));
+    }
 }
 
 QTEST_APPLESS_MAIN(SceneInputTest)
