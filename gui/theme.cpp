@@ -38,9 +38,10 @@ QPalette palette_of(const Colours& c) {
 void apply_theme(QApplication& application, bool dark) {
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(
-        dark ? palette_of({QColor(43, 45, 49), QColor(30, 31, 34), QColor(36, 38, 42),
-                           QColor(224, 226, 230), QColor(128, 132, 140), QColor(56, 59, 64),
-                           QColor(52, 110, 170), QColor(120, 180, 240)})
+        // Fields are lighter than the window, or Fusion's empty check boxes would not be seen.
+        dark ? palette_of({QColor(38, 40, 44), QColor(54, 57, 62), QColor(60, 63, 69),
+                           QColor(226, 228, 232), QColor(138, 142, 150), QColor(66, 69, 75),
+                           QColor(45, 110, 175), QColor(130, 190, 250)})
              : palette_of({QColor(244, 245, 247), Qt::white, QColor(247, 248, 250),
                            QColor(32, 34, 38), QColor(150, 154, 162), QColor(238, 240, 243),
                            QColor(31, 78, 121), QColor(31, 95, 160)}));

@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 
 #include <tbb/global_control.h>
@@ -12,7 +13,7 @@ namespace ameco {
 namespace {
 
 struct Threads {
-    int count = 0;
+    std::atomic<int> count = 0; ///< set by the window while workers ask
     std::unique_ptr<tbb::global_control> control;
 };
 
@@ -27,14 +28,15 @@ void set_thread_count(int count) {
     Threads& t = threads();
     t.control.reset();
     t.count = std::max(0, count);
-    if (t.count > 0) {
+    if (count > 0) {
         t.control = std::make_unique<tbb::global_control>(
-            tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(t.count));
+            tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     }
 }
 
 int thread_count() {
-    return threads().count > 0 ? threads().count : tbb::info::default_concurrency();
+    const int count = threads().count;
+    return count > 0 ? count : tbb::info::default_concurrency();
 }
 
 void parallel_for(std::size_t n, std::size_t grain,

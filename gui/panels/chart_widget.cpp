@@ -94,7 +94,15 @@ ChartStyle ChartWidget::chartStyle() const {
 void ChartWidget::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const ChartStyle look = chartStyle();
-    const ChartDrawing drawing = draw_chart(chart_, size(), look);
+    Chart chart = chart_;
+    if (look.background.lightness() < 128) { // deep colours would drown in the dark
+        for (ChartSeries& s : chart.series) {
+            s.colour = s.colour.toHsl();
+            s.colour.setHslF(s.colour.hslHueF(), s.colour.hslSaturationF(),
+                             std::max(0.62F, s.colour.lightnessF()));
+        }
+    }
+    const ChartDrawing drawing = draw_chart(chart, size(), look);
     paint_chart(painter, drawing, look);
     if (hasFocus() && cursor_ >= 0 && selectable_) {
         painter.setBrush(Qt::NoBrush);

@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include <numeric>
+
 using namespace ameco;
 
 namespace {
@@ -51,6 +53,8 @@ private slots:
     void does_not_see_the_size_in_the_shape();
     void takes_the_logarithmic_mean_of_two_lengths();
     void does_not_depend_on_the_number_of_threads();
+    void classes_hold_every_edge_and_element_at_its_place();
+    void classes_at_the_ends_hold_what_is_beyond();
 };
 
 void ConformityTest::of_a_regular_mesh_is_full() {
@@ -138,6 +142,27 @@ void ConformityTest::does_not_depend_on_the_number_of_threads() {
         QVERIFY(same(conformity(mesh, field), one));
     }
     set_thread_count(0);
+}
+
+void ConformityTest::classes_hold_every_edge_and_element_at_its_place() {
+    const Mesh<2> mesh = regular_triangles(5);
+    // Edges of length sqrt(2)^3: log2 = 1.5, in the class that begins there.
+    const ConformityClasses c = classify_conformity(mesh, isotropic(mesh, std::exp2(-1.501)));
+    constexpr int middle = ConformityClasses::length_classes / 2;
+    QCOMPARE(c.length[middle + 6], conformity(mesh, isotropic(mesh, 1)).edges);
+    QCOMPARE(c.quality.back(), static_cast<std::int64_t>(mesh.elements.size()));
+    const auto sum = [](const auto& counts) {
+        return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    };
+    QCOMPARE(sum(c.length), c.length[middle + 6]);
+    QCOMPARE(sum(c.quality), c.quality.back());
+}
+
+void ConformityTest::classes_at_the_ends_hold_what_is_beyond() {
+    const Mesh<2> mesh = regular_triangles(3);
+    const std::int64_t edges = conformity(mesh, isotropic(mesh, 1)).edges;
+    QCOMPARE(classify_conformity(mesh, isotropic(mesh, 1e-6)).length.back(), edges);
+    QCOMPARE(classify_conformity(mesh, isotropic(mesh, 1e6)).length.front(), edges);
 }
 
 QTEST_APPLESS_MAIN(ConformityTest)

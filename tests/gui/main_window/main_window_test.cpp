@@ -106,10 +106,12 @@ private slots:
     void opens_by_dropping_a_file();
     void a_broken_file_is_told_and_nothing_is_lost();
     void a_mesh_is_seen_before_it_is_measured();
+    void a_surface_without_volume_can_be_shown_in_all_ways();
     void a_clip_plane_takes_a_part_away();
     void a_hidden_patch_is_not_seen();
     void picking_a_node_tells_all_about_it();
     void makes_two_levels_and_compares_them();
+    void a_frozen_patch_stays_as_it_is();
     void the_prediction_follows_the_settings();
     void cancelling_keeps_what_is_finished();
     void brushing_lights_up_nodes();
@@ -211,6 +213,29 @@ void MainWindowTest::a_mesh_is_seen_before_it_is_measured() {
     QVERIFY(w.windowTitle().startsWith("layer.meshb"));
 }
 
+void MainWindowTest::a_surface_without_volume_can_be_shown_in_all_ways() {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("corner.mesh"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n"
+               "0 0 1 1\nTriangles 4\n1 3 2 1\n1 2 4 1\n1 4 3 2\n2 3 4 2\nEnd\n");
+    file.close();
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY2(w.open(file.fileName()), qPrintable(w.logPanel().toPlainText()));
+    for (int colour = 0; colour < w.viewPanel().colourBox().count(); ++colour) {
+        w.viewPanel().colourBox().setCurrentIndex(colour);
+        QVERIFY(w.idle() && w.drawn());
+        QVERIFY2(w.covered() > 0.02, qPrintable(w.viewPanel().colourBox().currentText()));
+    }
+    w.viewPanel().clipAcross(0);
+    QVERIFY(w.drawn());
+    QTest::mouseClick(w.views().view(0).focusProxy(), Qt::LeftButton, {},
+                      w.views().view(0).rect().center());
+    QVERIFY(w.drawn());
+    QVERIFY(!w.coarsenPanel().runButton().isEnabled());
+}
+
 void MainWindowTest::a_clip_plane_takes_a_part_away() {
     Window w;
     QVERIFY(w.exposed());
@@ -296,6 +321,24 @@ void MainWindowTest::makes_two_levels_and_compares_them() {
     QTest::mouseMove(left.focusProxy(), middle + QPoint(60, 30));
     QTest::mouseRelease(left.focusProxy(), Qt::LeftButton, {}, middle + QPoint(60, 30));
     QTRY_VERIFY(!(w.views().view(1).camera() == before));
+}
+
+void MainWindowTest::a_frozen_patch_stays_as_it_is() {
+    Window w;
+    QVERIFY(w.exposed());
+    QVERIFY(w.open(sample("layer.meshb")));
+    PatchModel& patches = w.patches();
+    patches.setData(patches.index(0, PatchModel::frozen), Qt::Checked, Qt::CheckStateRole);
+    const int patch = patches.patchOf(0);
+    QCOMPARE(w.coarsenPanel().options().coarsen.features.frozen_patches, std::vector<int>{patch});
+    QVERIFY(w.coarsen(1));
+    const auto faces = [&](int id) {
+        const auto& ids = w.document().level(id)->scene->triangle_patch;
+        return std::count(ids.begin(), ids.end(), patch);
+    };
+    QVERIFY(faces(0) > 0);
+    QCOMPARE(faces(1), faces(0));
+    QVERIFY(w.commandPanel().command().contains(QString("--freeze %1").arg(patch)));
 }
 
 void MainWindowTest::the_prediction_follows_the_settings() {

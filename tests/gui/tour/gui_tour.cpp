@@ -145,6 +145,26 @@ void take_wing(const QString& mesh, const QString& folder) {
     tour.save("clip.png");
 }
 
+/// Dark colours, four views, and how multigrid converges.
+void take_dark(const QString& mesh, const QString& folder) {
+    Tour tour(folder);
+    tour.open(mesh);
+    tour.coarsen(3);
+    tour.window().setDark(true);
+    tour.window().setViewCount(4);
+    tour.scene([](SceneOptions& o) {
+        o.representation = Representation::surface_with_edges;
+        o.colour = ColourBy::h1;
+        o.legend = false;
+        o.axes = false;
+    });
+    tour.window().convergencePanel().measure();
+    wait_for("convergence", [&] { return !tour.window().convergencePanel().jobs().isRunning(); });
+    tour.window().raisePanel(tour.window().convergencePanel());
+    tour.save("dark.png");
+    tour.window().setDark(false);
+}
+
 /// Section 5.1 and figure 7: the box, its short direction stretched.
 void take_box(const QString& mesh, const QString& folder) {
     Tour tour(folder);
@@ -201,8 +221,9 @@ void take_means(const QString& mesh, const QString& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 5) {
-        std::fprintf(stderr, "usage: gui_tour M6_MESH BOX_MESH MODEL_LAYER_MESH FOLDER\n");
+    if (argc != 6) {
+        std::fprintf(stderr,
+                     "usage: gui_tour M6_MESH BOX_MESH MODEL_LAYER_MESH SMALL_M6_MESH FOLDER\n");
         return 2;
     }
     VtkWidget::setDefaultFormat();
@@ -210,8 +231,9 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName("ameco-tour");
     QStandardPaths::setTestModeEnabled(true);
     apply_theme(application, false);
-    take_wing(argv[1], argv[4]);
-    take_box(argv[2], argv[4]);
-    take_means(argv[3], argv[4]);
+    take_wing(argv[1], argv[5]);
+    take_dark(argv[4], argv[5]);
+    take_box(argv[2], argv[5]);
+    take_means(argv[3], argv[5]);
     return 0;
 }
