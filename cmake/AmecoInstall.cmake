@@ -27,6 +27,8 @@ install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(DIRECTORY docs/user DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # `cpack` in the build folder makes ameco_<version>_<architecture>.deb.
+# Packing and installing take what is built, the target `program`, and do not build the tests first.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ameco)
 set(CPACK_PACKAGE_VENDOR "The ameco authors")
@@ -37,6 +39,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Makes the sequence of coarser meshes that geometric multigrid needs from one
- extremely stretched mesh of triangles or tetrahedra. A batch program, a
- window, and a C++ library.")
+extremely stretched mesh of triangles or tetrahedra. A batch program, a
+window, and a C++ library.")
 include(CPack)
