@@ -3,7 +3,7 @@
 /// VTK's files, through VTK's own readers and writer: .vtu (read and written), .vtk and .pvd
 /// (read).
 ///
-/// Written is one unstructured grid, binary data appended, 64-bit headers, not compressed:
+/// Written is one unstructured grid, binary data inline (base64), 64-bit headers, not compressed:
 /// elements, then faces, then curves. Cell arrays `region`, `patch` and `curve` hold the labels (0
 /// for cells of other kinds), the point array `label` those of nodes, and the field array
 /// `patch_names` rows of number and name. On reading, labels in files of other programs are found

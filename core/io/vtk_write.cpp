@@ -180,8 +180,9 @@ std::vector<std::string> write_vtu(const std::filesystem::path& path, const Mesh
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writer->SetInputData(grid);
     writer->SetFileName(target.temporary().c_str());
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
+    // Not appended: the ParaView 5.11 of an up-to-date Debian 12 stops at the first byte of
+    // appended data, raw or encoded ("not well-formed"); VTK's own readers do not.
+    writer->SetDataModeToBinary();
     writer->SetHeaderTypeToUInt64();
     writer->SetCompressorTypeToNone();
     if (writer->Write() == 0 || !silence.error().empty()) {
