@@ -416,8 +416,9 @@ void MainWindow::inspectPicked() {
     }
     inspections_.start(tr("Inspecting"),
                        [this, level = *level, node = picked->node, elsewhere,
+                        element = picked->pick ? picked->pick->element : ElementId(),
                         target = coarsen_->options().coarsen.target](JobContext& job) {
-                           const Inspection inspection = inspect(level, node, target);
+                           const Inspection inspection = inspect(level, node, target, element);
                            job.post([this, inspection, elsewhere] {
                                inspector_->setInspection(inspection, elsewhere);
                                showCharts();

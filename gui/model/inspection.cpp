@@ -2,7 +2,9 @@
 #include "gui/model/inspection.h"
 
 #include "core/base/text.h"
+#include "core/geometry/volume.h"
 #include "core/metric/conformity.h"
+#include "core/metric/element_metric.h"
 
 #include <algorithm>
 #include <set>
@@ -44,6 +46,24 @@ std::vector<std::string> patches_at(const Mesh<D>& mesh, NodeId node, const Scen
         names.push_back(scene.patch_name(patch));
     }
     return names;
+}
+
+template <int D>
+InspectedElement inspect_element(const Level<D>& level, ElementId element) {
+    const Mesh<D>& mesh = level.mesh;
+    const Simplex<D>& simplex = mesh.elements[element];
+    const Metric<D> own = element_metric<D>(corners_of(mesh, simplex));
+    InspectedElement i;
+    i.id = element;
+    for (const NodeId node : simplex) {
+        i.nodes.push_back(node.value());
+    }
+    i.region = mesh.region[element];
+    i.volume = volume(corners_of(mesh, simplex)).value;
+    i.quality = shape_quality(mesh, level.natural, simplex);
+    i.aspect_ratio = aspect_ratio<D>(own);
+    i.sizes = numbers<D>(own.sizes);
+    return i;
 }
 
 template <int D>
@@ -91,9 +111,17 @@ std::string list_of(const std::vector<double>& values, int digits) {
 
 } // namespace
 
-Inspection inspect(const CaseLevel& level, NodeId node, const TargetOptions& target) {
+Inspection inspect(const CaseLevel& level, NodeId node, const TargetOptions& target,
+                   ElementId element) {
     Inspection result = std::visit(
-        [&](const auto& l) { return inspect_level(l, node, target, *level.scene); }, *level.level);
+        [&](const auto& l) {
+            Inspection i = inspect_level(l, node, target, *level.scene);
+            if (element.valid()) {
+                i.element = inspect_element(l, element);
+            }
+            return i;
+        },
+        *level.level);
     result.level_id = level.id;
     result.level = level.number;
     return result;
@@ -122,6 +150,16 @@ std::string inspection_text(const Inspection& i) {
                                  << number_text(m.aspect_ratio) << ", turned by "
                                  << number_text(m.turn_deg, 3) << " deg\n"
                           : text << m.failure << '\n';
+    }
+    if (i.element) {
+        const InspectedElement& e = *i.element;
+        text << "element " << e.id.value() << ": nodes";
+        for (const int node : e.nodes) {
+            text << ' ' << node;
+        }
+        text << ", region " << e.region << ", volume " << number_text(e.volume) << ", quality "
+             << number_text(e.quality, 3) << ", aspect ratio " << number_text(e.aspect_ratio)
+             << ", sizes " << list_of(e.sizes, 5) << '\n';
     }
     return text.str();
 }

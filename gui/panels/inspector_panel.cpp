@@ -88,6 +88,30 @@ QString means_table(const Inspection& i) {
     return text + QStringLiteral("</table>");
 }
 
+QString element_table(const Inspection& i) {
+    if (!i.element) {
+        return {};
+    }
+    const InspectedElement& e = *i.element;
+    QStringList nodes, sizes;
+    for (const int node : e.nodes) {
+        nodes << QString::number(node);
+    }
+    for (const double size : e.sizes) {
+        sizes << number(size, 4);
+    }
+    return InspectorPanel::tr("<p><b>Element %1</b>, where you clicked</p>").arg(e.id.value()) +
+           QStringLiteral("<table cellpadding=1>") +
+           fact(InspectorPanel::tr("Nodes"), nodes.join(QStringLiteral(", "))) +
+           fact(InspectorPanel::tr("Region"), QString::number(e.region)) +
+           fact(e.nodes.size() == 4 ? InspectorPanel::tr("Volume") : InspectorPanel::tr("Area"),
+                number(e.volume)) +
+           fact(InspectorPanel::tr("Quality"), number(e.quality, 3)) +
+           fact(InspectorPanel::tr("Aspect ratio"), number(e.aspect_ratio)) +
+           fact(InspectorPanel::tr("Sizes"), sizes.join(QStringLiteral(", "))) +
+           QStringLiteral("</table>");
+}
+
 QString places(const std::vector<InspectorPanel::Elsewhere>& elsewhere) {
     if (elsewhere.empty()) {
         return {};
@@ -144,7 +168,8 @@ void InspectorPanel::setInspection(const Inspection& inspection,
     id_->setValue(inspection.node.value());
     text_->setHtml(
         tr("<p><b>Node %1</b> of level %2</p>").arg(inspection.node.value()).arg(inspection.level) +
-        facts(inspection) + metric_table(inspection) + means_table(inspection) + places(elsewhere));
+        facts(inspection) + metric_table(inspection) + element_table(inspection) +
+        means_table(inspection) + places(elsewhere));
     copy_->setEnabled(true);
 }
 

@@ -35,6 +35,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace ameco;
 using namespace ameco::gui;
 
@@ -288,12 +290,20 @@ void MainWindowTest::picking_a_node_tells_all_about_it() {
     QVERIFY(!i.patches.empty());
     QCOMPARE(i.point[0], view.scene().data()->position(i.node)[0]);
     QVERIFY(w.inspectorPanel().text().contains("Level 1"));
+    // And about the tet that was hit.
+    QVERIFY(i.element.has_value());
+    QCOMPARE(i.element->nodes.size(), std::size_t{4});
+    QVERIFY(std::count(i.element->nodes.begin(), i.element->nodes.end(), i.node.value()) == 1);
+    QVERIFY(i.element->volume > 0 && i.element->quality > 0 && i.element->quality <= 1);
+    QVERIFY(w.inspectorPanel().text().contains(QString("Element %1").arg(i.element->id.value())));
     w.inspectorPanel().copy();
     QVERIFY(QGuiApplication::clipboard()->text().contains("aspect ratio"));
+    QVERIFY(QGuiApplication::clipboard()->text().contains("element "));
     // The same node by its number.
     const int node = i.node.value();
     emit w.inspectorPanel().nodeRequested(node + 1);
     QTRY_COMPARE(w.inspectorPanel().inspection()->node.value(), node + 1);
+    QVERIFY(!w.inspectorPanel().inspection()->element.has_value());
 }
 
 void MainWindowTest::makes_two_levels_and_compares_them() {
