@@ -12,7 +12,8 @@ namespace ameco {
 /// How much memory a trial may use beyond what the process has already.
 struct TrialMemory {
     std::int64_t bytes = 0;    ///< size of the file, unpacked
-    std::int64_t per_byte = 8; ///< times that; good files take at most 3 (docs/dev/testing.md)
+    std::int64_t per_byte = 4; ///< times that; good files take at most 3, hexahedra split included
+                               ///< (docs/dev/testing.md)
 };
 
 /// Runs `read` in a child process, to see whether a library survives a file.

@@ -35,8 +35,6 @@ constexpr std::array<const char*, 8> label_names{
 /// A compressed file may hold so many times its size; meshes have 2 to 5. zlib could reach 1030, in
 /// a file made to fill somebody's memory.
 constexpr std::int64_t largest_compression = 64;
-/// Memory that a good file takes, over its size unpacked: VTK's arrays, and our mesh.
-constexpr std::int64_t memory_per_byte = 8;
 
 /// How a kind of cells is taken apart; its corners come first unless `order` says else.
 struct CellKind {
@@ -315,8 +313,7 @@ MeshFile read_vtu(const Source& source) {
     check_counts(source, "NumberOfCells=", most);
     check_counts(source, "NumberOfTuples=", most);
     check_counts(source, "NumberOfComponents=", most);
-    require_survival(source.name, "VTK", {most, packed ? memory_per_byte / 2 : memory_per_byte},
-                     [&] { static_cast<void>(convert_vtu(source)); });
+    require_survival(source.name, "VTK", {most}, [&] { static_cast<void>(convert_vtu(source)); });
     MeshFile file = convert_vtu(source);
     file.format = "VTK XML (.vtu)";
     return file;
@@ -328,7 +325,7 @@ MeshFile read_legacy(const Source& source) {
                             "CELL_DATA ", "OFFSETS ", "VERTICES ", "LINES "}) {
         check_counts(source, key, bytes);
     }
-    require_survival(source.name, "VTK", {bytes, memory_per_byte},
+    require_survival(source.name, "VTK", {bytes},
                      [&] { static_cast<void>(convert_legacy(source)); });
     MeshFile file = convert_legacy(source);
     file.format = "VTK legacy (.vtk)";
