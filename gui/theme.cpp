@@ -2,8 +2,10 @@
 #include "gui/theme.h"
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QPalette>
 #include <QStyleFactory>
+#include <QTableView>
 
 namespace ameco::gui {
 namespace {
@@ -45,6 +47,17 @@ void apply_theme(QApplication& application, bool dark) {
              : palette_of({QColor(244, 245, 247), Qt::white, QColor(247, 248, 250),
                            QColor(32, 34, 38), QColor(150, 154, 162), QColor(238, 240, 243),
                            QColor(31, 78, 121), QColor(31, 95, 160)}));
+}
+
+void style_table(QTableView& table) {
+    table.setSelectionBehavior(QAbstractItemView::SelectRows);
+    table.setFrameShape(QFrame::NoFrame);
+    table.setShowGrid(false);
+    table.setTabKeyNavigation(false);
+    table.verticalHeader()->hide();
+    table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() + 8);
+    table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table.horizontalHeader()->setHighlightSections(false);
 }
 
 } // namespace ameco::gui

@@ -94,7 +94,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("MESH", mesh_, "finest mesh (.mesh, .meshb)")->required();
+        app.add_option("MESH", mesh_, "finest mesh, in any format of ameco formats")->required();
         app.add_option("-o,--output", folder_, "folder for the levels; made if absent")
             ->type_name("DIR")
             ->required();

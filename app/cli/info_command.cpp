@@ -303,7 +303,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("FILE", files_, "meshes (.mesh, .meshb) and metrics (.sol, .solb)")
+        app.add_option("FILE", files_, "meshes and metrics, in any format of ameco formats")
             ->required();
     }
 

@@ -46,7 +46,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("MESH", mesh_, "mesh (.mesh, .meshb)")->required();
+        app.add_option("MESH", mesh_, "mesh, in any format of ameco formats")->required();
         app.add_option("-o,--output", output_,
                        "metric to write (.solb, .sol); with --compare a picture (.svg)")
             ->type_name("FILE");

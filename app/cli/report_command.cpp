@@ -82,23 +82,15 @@ private:
     void look_at_levels(ReportContent& content, Session& session) const {
         const Hierarchy& h = content.hierarchy;
         std::vector<Mesh<D>> meshes;
-        std::optional<SectionView<D>> view;
-        std::vector<SectionPanel> panels;
+        LayerPictures<D> layers;
         for (const HierarchyLevel& level : h.levels) {
             const int k = level.statistics.level;
             session.monitor.progress(0.3 * k / static_cast<double>(h.levels.size()),
                                      "reading levels");
             meshes.push_back(read_level_mesh<D>(folder_, h, k));
-            view = k == 0 ? find_section(meshes[0]) : view;
-            if (view) {
-                panels.push_back(draw_section(meshes.back(), *view,
-                                              "level " + std::to_string(k) + ": " +
-                                                  plural(level.statistics.nodes, "node")));
-            }
+            layers.add(meshes.back(), level.statistics);
         }
-        if (view) {
-            content.sections = sections_svg(panels, view->width / view->height);
-        }
+        content.sections = layers.svg();
         if (!no_multigrid_ && h.levels.size() > 1) {
             measure_cycles(meshes, content, session);
         }

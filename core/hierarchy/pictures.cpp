@@ -2,6 +2,7 @@
 #include "core/hierarchy/pictures.h"
 
 #include "core/base/svg.h"
+#include "core/base/text.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/atomic_file.h"
 
@@ -244,6 +245,23 @@ std::string sections_svg(const std::vector<SectionPanel>& panels, double scale) 
 }
 
 template <int D>
+void LayerPictures<D>::add(const Mesh<D>& mesh, const LevelStatistics& level) {
+    if (level.level == 0) {
+        view_ = find_section(mesh);
+    }
+    if (view_) {
+        panels_.push_back(draw_section(mesh, *view_,
+                                       "level " + std::to_string(level.level) + ": " +
+                                           plural(level.nodes, "node")));
+    }
+}
+
+template <int D>
+std::string LayerPictures<D>::svg() const {
+    return view_ ? sections_svg(panels_, view_->width / view_->height) : "";
+}
+
+template <int D>
 std::vector<std::string> write_pictures(const std::filesystem::path& folder,
                                         const Hierarchy& hierarchy) {
     std::vector<std::string> names;
@@ -252,24 +270,14 @@ std::vector<std::string> write_pictures(const std::filesystem::path& folder,
         names.push_back(name);
     };
     std::vector<AspectRatioClasses> classes;
-    std::optional<SectionView<D>> view;
-    std::vector<SectionPanel> panels;
+    LayerPictures<D> layers;
     for (const HierarchyLevel& level : hierarchy.levels) {
-        const int k = static_cast<int>(classes.size());
         classes.push_back(level.statistics.classes);
-        const Mesh<D> mesh = read_level_mesh<D>(folder, hierarchy, k);
-        if (k == 0) {
-            view = find_section(mesh);
-        }
-        if (view) {
-            panels.push_back(draw_section(mesh, *view,
-                                          "level " + std::to_string(k) + ": " +
-                                              std::to_string(level.statistics.nodes) + " nodes"));
-        }
+        layers.add(read_level_mesh<D>(folder, hierarchy, level.statistics.level), level.statistics);
     }
     write("histogram.svg", histogram_svg(classes));
-    if (view) {
-        write("layers.svg", sections_svg(panels, view->width / view->height));
+    if (const std::string svg = layers.svg(); !svg.empty()) {
+        write("layers.svg", svg);
     }
     return names;
 }
@@ -277,6 +285,7 @@ std::vector<std::string> write_pictures(const std::filesystem::path& folder,
 #define AMECO_INSTANTIATE(D)                                                                       \
     template std::optional<SectionView<D>> find_section(const Mesh<D>&);                           \
     template SectionPanel draw_section(const Mesh<D>&, const SectionView<D>&, const std::string&); \
+    template class LayerPictures<D>;                                                               \
     template std::vector<std::string> write_pictures<D>(const std::filesystem::path&,              \
                                                         const Hierarchy&);
 

@@ -51,6 +51,20 @@ template <int D>
 /// \param scale  how many times the view is stretched across the layers [-]
 [[nodiscard]] std::string sections_svg(const std::vector<SectionPanel>& panels, double scale);
 
+/// The layers of a hierarchy, level by level: takes the levels' meshes, finest first, one at a
+/// time.
+template <int D>
+class LayerPictures {
+public:
+    void add(const Mesh<D>& mesh, const LevelStatistics& level);
+    /// Empty where there is no section to show.
+    [[nodiscard]] std::string svg() const;
+
+private:
+    std::optional<SectionView<D>> view_; ///< that of the finest level, for all
+    std::vector<SectionPanel> panels_;
+};
+
 /// Writes histogram.svg and, where there is a section to show, layers.svg into the folder of a
 /// finished hierarchy; reads one level at a time. Returns the names of the files.
 /// \throws FileError

@@ -3,6 +3,7 @@
 
 #include "gui/model/document.h"
 #include "gui/model/level_table_model.h"
+#include "gui/theme.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -19,16 +20,9 @@ HierarchyPanel::HierarchyPanel(Document& document, QWidget* parent)
     model_ = new LevelTableModel(document, this);
     table_ = new QTableView;
     table_->setModel(model_);
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setFrameShape(QFrame::NoFrame);
-    table_->setShowGrid(false);
+    style_table(*table_);
     table_->setAlternatingRowColors(true);
-    table_->setTabKeyNavigation(false);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setHighlightSections(false);
     table_->setAccessibleName(tr("Levels"));
     remove_ = new QToolButton;
     remove_->setText(tr("&Delete level"));

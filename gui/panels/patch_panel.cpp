@@ -2,6 +2,7 @@
 #include "gui/panels/patch_panel.h"
 
 #include "gui/model/patch_model.h"
+#include "gui/theme.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -14,15 +15,8 @@ namespace ameco::gui {
 PatchPanel::PatchPanel(PatchModel& model, QWidget* parent) : QWidget(parent), model_(model) {
     table_ = new QTableView;
     table_->setModel(&model);
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setFrameShape(QFrame::NoFrame);
-    table_->setShowGrid(false);
-    table_->setTabKeyNavigation(false);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    style_table(*table_);
     table_->horizontalHeader()->setSectionResizeMode(PatchModel::name, QHeaderView::Stretch);
-    table_->horizontalHeader()->setHighlightSections(false);
     table_->setAccessibleName(tr("Patches"));
     auto* const all = new QToolButton;
     all->setText(tr("Show &all"));
