@@ -68,10 +68,13 @@ def step_rows(results):
 
 
 def commands(results):
-    """What makes the meshes and hierarchies of the wings, each once."""
-    runs = [run for step in ("m6", "m6-means", "falcon", "falcon-paper", "cost")
-            for run in results[step]["runs"] if run["name"] in ("case", "coarsen")]
-    return list(dict.fromkeys(run["command"] for run in runs))
+    """What makes the meshes and hierarchies of the wings, by step."""
+    lines = []
+    for step in ("m6", "m6-means", "falcon", "falcon-paper", "cost"):
+        lines.append(f"# {step}")
+        lines += [run["command"] for run in results[step]["runs"]
+                  if run["name"] in ("case", "coarsen")]
+    return lines
 
 
 def about_machine(results):
@@ -82,32 +85,31 @@ def about_machine(results):
     wall = sum(run["wall_seconds"] for run in runs)
     text = f"Machine: {'; '.join(machines)}. "
     if others < 0.05 * wall:
-        return text + "Nothing else ran on it."
-    return text + f"""It was shared: other programs took {others:,.0f} seconds of processor time
-        while ours ran, for {wall:,.0f} seconds by the clock. So look at processor time and at ratios;
-        wall-clock times would be shorter on a quiet machine."""
+        return text + "Other programs took less than 5 % of one core."
+    return text + f"""It was shared: while ours ran, for {wall:,.0f} seconds by the clock, other
+        programs took {others:,.0f} seconds of processor time. So look at processor time and at
+        ratios; on a quiet machine wall-clock times are shorter."""
 
 
-def section(results, figure, docs):
+def section(results, figure):
     rows = growth(results)
     smallest, largest = rows[0], rows[-1]
     threads = results["falcon"]["found"]["timing"]["threads"]
     return [
         "## Times and memory",
         about_machine(results),
-        "Four coarser levels by `ameco coarsen` with its defaults, all of reading and writing in it:",
+        "Four coarser levels by `ameco coarsen` with its defaults, reading and writing included:",
         table(["nodes", "tets", "processor [s]", "wall clock [s]", "µs per coarsened node",
                "peak memory [MiB]", "bytes per node"], size_rows(results)),
         figure("cost.svg", "time per node and memory per node over the size of the mesh"),
-        f"""Time and memory grow in proportion to the mesh: from {count(smallest[0])} to
-        {count(largest[0])} nodes, {largest[0] / smallest[0]:.0f} times as many, the time per node
-        changes from {smallest[1]:.0f} to {largest[1]:.0f} µs. "Coarsened nodes" are those of all
-        levels but the last. Between the presets `m6-67k`, `m6-500k` and `m6-2m` are two more
-        wings; their parameters stand in `scripts/reproduction/steps.py`. The paper gives no
-        times.""",
+        f"""From {count(smallest[0])} to {count(largest[0])} nodes, {largest[0] / smallest[0]:.0f}
+        times as many, the time per node goes from {smallest[1]:.0f} to {largest[1]:.0f} µs, memory
+        per node from {smallest[2] / smallest[0]:,.0f} to {largest[2] / largest[0]:,.0f} bytes.
+        "Coarsened nodes" are those of all levels but the last. Between the presets `m6-67k`,
+        `m6-500k` and `m6-2m` are two more wings. The paper gives no times.""",
         f"""Where the time goes with two million nodes, {threads} threads, seconds by the clock:""",
         table(["level", "nodes", *PHASES, "total"], phase_rows(results["falcon"]["found"])),
-        "The commands of sections 5.2 and 5.3 and of the two sizes between:",
+        "The commands that made these wings and their levels:",
         "```sh\n" + "\n".join(commands(results)) + "\n```",
         "The steps of `scripts/reproduce`, pictures included:",
         table(["step", "runs", "processor [s]", "wall clock [s]", "peak memory [MiB]"],

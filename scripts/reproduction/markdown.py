@@ -26,7 +26,7 @@ def paragraph(text, width=140):
 
 def page(parts):
     """Parts with an empty line between; those that begin like text are broken into lines."""
-    is_text = re.compile(r"[\w*`\[(\"]")
+    is_text = re.compile(r"(?!```)[\w*`\[(\"]")
     blocks = [paragraph(part) if is_text.match(part) and "\n\n" not in part else part.strip("\n")
               for part in parts if part]
     return "\n\n".join(blocks) + "\n"

@@ -9,8 +9,8 @@ from .markdown import page, picture, range_of, short, table
 from .run import ReproduceError
 from .steps import PAPER_SETTINGS, TURNS
 
-QUICK_WARNING = """**Small meshes (`--quick`)**: this page shows that the script works. Its numbers are not
-those that the remarks are about."""
+QUICK_WARNING = """**Small meshes (`--quick`)**: this page shows that the script works. Its numbers
+are not those that the remarks are about."""
 
 SOURCE = Path(__file__).resolve().parents[2]
 
@@ -35,7 +35,7 @@ def install(output, results, version, docs):
 
 def plots(folder, results):
     """The figures that need the results of several steps, or of the paper."""
-    (folder / "figure_13.svg").write_text(wings.histogram_13(results["falcon"]["found"]))
+    (folder / "figure_13.svg").write_text(wings.histogram_13(results["falcon-paper"]["found"]))
     (folder / "cost.svg").write_text(figures.cost(costs.growth(results)))
 
 
@@ -60,7 +60,11 @@ def compose(results, version, quick, docs):
         *box(found["box"], figure),
         *wings.m6(found, figure, docs),
         *wings.falcon(found, figure, docs),
-        *costs.section(results, figure, docs),
+        *costs.section(results, figure),
+        "## What is left out",
+        f"""Figures 6 and 19 to 22 are drawings without results. The two remarks of the paper's
+        conclusion, larger factors and a constant ratio, are options of `ameco coarsen`:
+        [control]({docs}/theory/results.md#control).""",
     ])
 
 
@@ -104,11 +108,13 @@ def means(found, figure, docs):
         model-layer` makes it; the paper shows its mesh but not its construction. The means are
         those of the six triangles at the marked node.""",
         table(["h 1 x stretching, h 2", *(f"{a} deg, {s}" for a, s in TURNS)], rows),
-        figure("figure_2_100.svg", "unit balls without a turn at a stretching of 100"),
-        figure("figure_2_1000.svg", "unit balls without a turn at a stretching of 1000"),
+        figure("figure_2_100.svg", "unit balls without a turn at a stretching of 100")
+        + " "
+        + figure("figure_2_1000.svg", "unit balls without a turn at a stretching of 1000"),
         "Figure 2: no turn, stretching 100 and 1000.",
-        figure("figure_3_100.svg", "unit balls at a turn of 20 degrees, stretching 100"),
-        figure("figure_3_1000.svg", "unit balls at a turn of 20 degrees, stretching 1000"),
+        figure("figure_3_100.svg", "unit balls at a turn of 20 degrees, stretching 100")
+        + " "
+        + figure("figure_3_1000.svg", "unit balls at a turn of 20 degrees, stretching 1000"),
         "Figure 3: a turn of 20 degrees, stretching 100 and 1000.",
         f"""As in the paper: without a turn all means agree, the two stretchings differ by a scale
         of the short axis only, and with the turn the published iteration for the geodesic mean
@@ -162,10 +168,10 @@ def box(found, figure):
         "## Section 5.1: the synthetic box",
         table(["height over length", "settings", "paper, 3-D",
                *(f"{d}-D, {name}" for d, name in variants)], rows),
-        f"""Two by two by two cells (2-D: two by two), cut with uniform or alternating diagonals. All
-        {len(found['rows'])} variants lose the middle layer and nothing else: the aspect ratio falls
-        by a factor of {range_of(halved, short)}. The paper names no diagonals, shows 1e-3 and says
-        that nothing changes down to 1e-6; a 2-D box it has not.""",
+        f"""Two by two by two cells (2-D: two by two), cut with uniform or alternating diagonals.
+        All {len(found['rows'])} variants lose the middle layer and nothing else: the aspect ratio
+        falls by a factor of {range_of(halved, short)}. The paper names no diagonals, shows 1e-3
+        and says that nothing changes down to 1e-6; a 2-D box it has not.""",
         figure("figure_7.png", "the box before and after, scaled 1000 times in z"),
         "Figure 7: before and after, at a ratio of 1e-3.",
     ]

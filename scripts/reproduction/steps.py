@@ -149,7 +149,7 @@ def m6_means(run, sizes):
 
 
 def falcon(run, sizes):
-    """Tables 3 and 4, figures 12 to 18, with our defaults."""
+    """Table 4, figures 12 to 18, with our defaults."""
     found = hierarchy_of(run, sizes, "--pictures")
     pictures = keep_pictures(run, {"histogram.svg": "figure_18.svg",
                                    "layers.svg": "figures_12_to_17_layers.svg"})
@@ -163,7 +163,7 @@ def falcon(run, sizes):
 
 
 def falcon_paper(run, sizes):
-    """Table 4 with the paper's settings."""
+    """Tables 3 and 4, figure 13, with the paper's settings."""
     return hierarchy_of(run, sizes, *PAPER_SETTINGS), []
 
 

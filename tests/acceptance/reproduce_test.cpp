@@ -99,7 +99,7 @@ void ReproduceTest::the_page_has_the_papers_numbers_beside_ours() {
         QVERIFY2(page_.contains("| " + nodes + " |"), nodes);
     }
     const auto counts =
-        found("falcon").at("levels")[0].at("aspect_ratio").at("classes").at("nodes");
+        found("falcon-paper").at("levels")[0].at("aspect_ratio").at("classes").at("nodes");
     const QByteArray fifth = "| 98,511 | " + with_commas(counts[4].get<qlonglong>()) + " |";
     QVERIFY2(page_.contains(fifth), fifth);
     QVERIFY(page_.contains("| geodesic-fixed-step | 1, 1.15 | 1, 1.15 | does not converge |"));
