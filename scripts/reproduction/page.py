@@ -136,8 +136,9 @@ def interface(figure, docs):
         """Left figure 4: unit balls, at half their size, of a column of nodes whose cells are 1/8,
         3/8, 1, 1 times as high as long; the orange nodes are the paper's i and j, with equal
         widths. Then figure 5, what Algorithm 1 asks for: i doubles in both directions, j upwards
-        only. Then two answers to that: Algorithm 2 keeps i as it is, and `--algorithm graded`
-        limits how fast sizes grow.""",
+        only. Then two answers to that: Algorithm 2 keeps i as it is, and `--algorithm graded
+        --gradation 1.2` lets sizes grow by 1.2 over an edge of the fine mesh, or as they do in
+        it.""",
         f"""The paper's figures are sketches without numbers. The conflict is there, but the node
         between i and j already softens it, since nodal metrics are means over elements; so
         Algorithm 1 without either answer measures best

@@ -72,9 +72,10 @@ def interface(run, _):
     run.ameco("metric", mesh, *common, "-o", "natural.sol")
     panels = [(("natural metric", "of the fine mesh"), "natural.sol")]
     for algorithm, title in (("basic", "Algorithm 1"), ("maca", "Algorithm 2"),
-                             ("graded", "--algorithm graded")):
+                             ("graded", "graded, 1.2")):
         metric = f"{algorithm}.sol"
-        run.ameco("metric", mesh, *common, "--coarsen", 2, "--algorithm", algorithm, "-o", metric)
+        run.ameco("metric", mesh, *common, "--coarsen", 2, "--algorithm", algorithm,
+                  "--gradation", 1.2, "-o", metric)
         panels.append(((title, "coarse metric"), metric))
     columns, cell = 7, 1 / 6
     middle = [layer * columns + columns // 2 for layer in range(5)]
