@@ -95,6 +95,7 @@ def section(results, figure):
     rows = growth(results)
     smallest, largest = rows[0], rows[-1]
     threads = results["falcon"]["found"]["timing"]["threads"]
+    on_threads = f"{threads} threads" if threads > 1 else "one thread"
     return [
         "## Times and memory",
         about_machine(results),
@@ -107,7 +108,7 @@ def section(results, figure):
         per node from {smallest[2] / smallest[0]:,.0f} to {largest[2] / largest[0]:,.0f} bytes.
         "Coarsened nodes" are those of all levels but the last. Between the presets `m6-67k`,
         `m6-500k` and `m6-2m` are two more wings. The paper gives no times.""",
-        f"""Where the time goes with two million nodes, {threads} threads, seconds by the clock:""",
+        f"Where the time goes with two million nodes, on {on_threads}, seconds by the clock:",
         table(["level", "nodes", *PHASES, "total"], phase_rows(results["falcon"]["found"])),
         "The commands that made these wings and their levels:",
         "```sh\n" + "\n".join(commands(results)) + "\n```",

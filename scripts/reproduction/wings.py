@@ -92,8 +92,8 @@ def m6(found, figure, docs):
         means_table(means),
         nodes_table(paper.TABLE_1["interp"], paper.TABLE_1_RATIOS["interp"], default, interp),
         levels_table(default, interp),
-        """"Of predicted": nodes over those that the level's metric asks for. "5 % above": the
-        aspect ratio that 5 % of the nodes exceed.""",
+        """"Of predicted": nodes over those that the level's metric asks for. AR: aspect ratio of
+        the nodes; "5 % above": the one that 5 % of them exceed.""",
         f"""As in the paper: ratios near 2, from one mesh alone. Different: the paper's fall from
         {paper.TABLE_1_RATIOS['interp'][0]} to {paper.TABLE_1_RATIOS['interp'][-1]}, ours with its
         settings are {range_of(ratios(interp), ratio)}: our levels have
@@ -183,11 +183,12 @@ def falcon(found, figure, docs):
         isotropic, below 5; the paper has {paper.FALCON_LEVEL_4_SHARE_ISOTROPIC} %, below 6. The
         aspect ratio that 5 % of the nodes exceed falls by
         {ratio(first['top_5_percent_above'] / last['top_5_percent_above'])} in four levels, where
-        four halvings make 16. The largest of all says less: {count(sum(top_classes))} nodes are in
-        the finest mesh's first three classes, around columns with thinner layers than their
-        neighbours', and means over elements level them out, down to {exact(last['max'])}; the
-        paper has {exact(paper.FALCON_LEVEL_4_MAX_ASPECT_RATIO)}, where four halvings would leave
-        {exact(paper.FALCON_MAX_ASPECT_RATIO / 16)}.""",
+        four halvings make 16. The largest of all falls further, to {exact(last['max'])}, and the
+        paper's less, to {exact(paper.FALCON_LEVEL_4_MAX_ASPECT_RATIO)}, where four halvings would
+        leave {exact(paper.FALCON_MAX_ASPECT_RATIO / 16)}: in our finest mesh the first three
+        classes are {count(sum(top_classes))} nodes on columns much thinner than their neighbours.
+        Their metrics, means over the elements of both, ask for more than twice their own
+        height.""",
     ]
 
 
