@@ -80,8 +80,13 @@ class Runner:
                 [self.program, *arguments, "--json", "--progress", "none"],
                 cwd=self.scratch, stdin=subprocess.DEVNULL, stdout=out, stderr=error,
             )
-            # Of this process alone; the resource module knows only the largest of all.
-            _, status, usage = os.wait4(process.pid, 0)
+            try:
+                # Of this process alone; the resource module knows only the largest of all.
+                _, status, usage = os.wait4(process.pid, 0)
+            except KeyboardInterrupt:
+                process.terminate()
+                process.wait()
+                raise
         process.returncode = os.waitstatus_to_exitcode(status)
         own = usage.ru_utime + usage.ru_stime
         self.runs.append({
