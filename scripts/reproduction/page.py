@@ -18,14 +18,14 @@ SOURCE = Path(__file__).resolve().parents[2]
 def write(output, results, version, quick):
     """Draws the plots and writes the page into OUTPUT; returns what was done, in a line."""
     plots(output / "pictures", results)
-    text = compose(results, version, quick, docs=f"{SOURCE}/docs")
+    text = compose(results, version, quick, docs=f"{SOURCE}/docs/")
     (output / "reproduction.md").write_text(text)
     return f"{output / 'reproduction.md'}: {text.count('](pictures/')} figures"
 
 
 def install(output, results, version, docs):
     """Puts the page and its figures into the manual."""
-    text = compose(results, version, quick=False, docs=".")
+    text = compose(results, version, quick=False, docs="")
     if NOT_DRAWN in text:
         raise ReproduceError("docs/ is left as it is: figures are missing, which need OpenGL")
     shutil.copytree(output / "pictures", docs / "pictures", dirs_exist_ok=True)
@@ -64,7 +64,7 @@ def compose(results, version, quick, docs):
         "## What is left out",
         f"""Figures 6 and 19 to 22 are drawings without results. The two remarks of the paper's
         conclusion, larger factors and a constant ratio, are options of `ameco coarsen`:
-        [control]({docs}/theory/results.md#control).""",
+        [control]({docs}theory/results.md#control).""",
     ])
 
 
@@ -74,14 +74,14 @@ def introduction(version, docs):
         ours. `scripts/reproduce --update-docs` made this page from runs of {version}; nothing on
         it is written by hand but the remarks. `scripts/reproduce --help` says how to make parts
         of it.""",
-        f"""The paper's meshes are not public. Ours are [made by formula]({docs}/user/cases.md): the
+        f"""The paper's meshes are not public. Ours are [made by formula]({docs}user/cases.md): the
         same model meshes, the same wing with as many nodes and as stretched, and, for the business
         jet of section 5.3, that wing with the jet's number of nodes and aspect ratios. So node
         counts can be compared in their ratios and tendencies, not one by one.""",
         f""""Default" is `ameco coarsen` as it is; "paper's settings" is
         `ameco coarsen {' '.join(PAPER_SETTINGS)}`: the mean that the paper calls *interp*,
         equations (9) and (10), and Algorithm 1 as printed. The remesher is ours in both
-        ([remeshing]({docs}/theory/remeshing.md)); the paper's, MTC, is not public.""",
+        ([remeshing]({docs}theory/remeshing.md)); the paper's, MTC, is not public.""",
     ]
 
 
@@ -125,7 +125,7 @@ def means(found, figure, docs):
         is the same, since all triangles of our strip are congruent. With the turn the geodesic
         mean, which the paper could not compute, has an aspect ratio of
         {short(geodesic['aspect_ratio'])} only: as the middle between slabs in two directions it
-        loses the layer ([why]({docs}/theory/metric.md#means-beside-each-other)).""",
+        loses the layer ([why]({docs}theory/metric.md#means-beside-each-other)).""",
     ]
 
 
@@ -142,8 +142,8 @@ def interface(figure, docs):
         f"""The paper's figures are sketches without numbers. The conflict is there, but the node
         between i and j already softens it, since nodal metrics are means over elements; so
         Algorithm 1 without either answer measures best
-        ([figures]({docs}/theory/results.md#algorithms)). Algorithm 2 is printed ambiguously; how
-        we read it stands in [coarsening]({docs}/theory/coarsening.md#neighbours).""",
+        ([figures]({docs}theory/results.md#algorithms)). Algorithm 2 is printed ambiguously; how
+        we read it stands in [coarsening]({docs}theory/coarsening.md#neighbours).""",
     ]
 
 

@@ -102,7 +102,7 @@ def m6(found, figure, docs):
         cause.""",
         f"""Our default has higher ratios, {range_of(ratios(default), ratio)}, because it coarsens
         isotropic regions in all directions, where the ratio can be 8
-        ([coarsening]({docs}/theory/coarsening.md#isotropic-regions)), and they are
+        ([coarsening]({docs}theory/coarsening.md#isotropic-regions)), and they are
         {per_cent(first['share_below_5'])} of the finest nodes.""",
         f"""Different as well: in the paper *log* coarsens far less than *interp*
         ({paper.TABLE_1_RATIOS['log'][0]} against {paper.TABLE_1_RATIOS['interp'][0]}); here its
@@ -110,7 +110,7 @@ def m6(found, figure, docs):
         ask for {asked_for(log)} and {asked_for(interp)} nodes on the first level, too near to each
         other for the paper's difference to come from them alone: how well its remesher followed
         either must have a part in it
-        ([means]({docs}/theory/results.md#means)).""",
+        ([means]({docs}theory/results.md#means)).""",
         figure("figure_8.png", "the wing and the symmetry plane, finest mesh"),
         f"""Figure 8: the finest mesh, {count(nodes(default)[0])} nodes (paper:
         {count(paper.TABLE_1['interp'][0])}), {per_cent(as_paper['share_above_150'])} of them above
@@ -181,9 +181,9 @@ def falcon(found, figure, docs):
         figure("figure_18.svg", "histogram of aspect ratios on all levels"),
         f"""Figure 18. On the fourth level {per_cent(last['share_below_5'])} of the nodes are
         isotropic, below 5; the paper has {paper.FALCON_LEVEL_4_SHARE_ISOTROPIC} %, below 6. The
-        aspect ratio that 5 % of the nodes exceed falls by
-        {ratio(first['top_5_percent_above'] / last['top_5_percent_above'])} in four levels, where
-        four halvings make 16. The largest of all falls further, to {exact(last['max'])}, and the
+        aspect ratio that 5 % of the nodes exceed falls by a factor of
+        {short(first['top_5_percent_above'] / last['top_5_percent_above'])}, where four halvings
+        make 16. The largest of all falls further, to {exact(last['max'])}, and the
         paper's less, to {exact(paper.FALCON_LEVEL_4_MAX_ASPECT_RATIO)}, where four halvings would
         leave {exact(paper.FALCON_MAX_ASPECT_RATIO / 16)}: in our finest mesh the first three
         classes are {count(sum(top_classes))} nodes on columns much thinner than their neighbours.

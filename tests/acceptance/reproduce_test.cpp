@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-/// scripts/reproduce on small meshes.
+/// scripts/reproduce on small meshes; and the page that it has put into the manual.
 #include "tests/acceptance/run_ameco.h"
 
 #include <QRegularExpression>
@@ -51,6 +51,7 @@ private slots:
     void steps_that_are_there_are_not_made_again();
     void a_step_is_made_alone_and_again_when_the_program_has_changed();
     void small_meshes_do_not_get_into_the_manual();
+    void the_manuals_page_has_small_figures_and_links_that_lead_somewhere();
 
 private:
     [[nodiscard]] Run reproduce(const QString& arguments) const {
@@ -144,6 +145,26 @@ void ReproduceTest::small_meshes_do_not_get_into_the_manual() {
     const Run run = reproduce("--quick --update-docs --program \"$AMECO\" -o out");
     QCOMPARE(run.code, 1);
     QVERIFY2(run.err.contains("leave out --quick"), run.text());
+}
+
+void ReproduceTest::the_manuals_page_has_small_figures_and_links_that_lead_somewhere() {
+    const QString docs = AMECO_SOURCE_DIR "/docs/";
+    const QByteArray page = content_of(docs + "reproduction.md");
+    QVERIFY(!page.contains("--quick`)"));
+    const QStringList pictures = pictures_of(page);
+    QCOMPARE(pictures.size(), 16);
+    for (const QString& picture : pictures) {
+        const QString fault = fault_of(docs + picture);
+        QVERIFY2(fault.isEmpty(), qPrintable(fault));
+        QVERIFY2(QFileInfo(docs + picture).size() < 150'000, qPrintable(picture));
+    }
+    static const QRegularExpression link(R"(\]\(([^)#]+\.md)(#[^)]*)?\))");
+    int links = 0;
+    for (auto hits = link.globalMatch(QString::fromUtf8(page)); hits.hasNext(); ++links) {
+        const QString target = hits.next().captured(1);
+        QVERIFY2(QFile::exists(docs + target), qPrintable(target));
+    }
+    QVERIFY(links > 0);
 }
 
 QTEST_GUILESS_MAIN(ReproduceTest)
