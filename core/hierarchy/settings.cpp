@@ -181,6 +181,24 @@ bool Setting::accepts(const std::string& word) const {
            ((above_low ? number > low : number >= low) && number <= high);
 }
 
+std::string Setting::wanted() const {
+    const std::string range = exact_word(low) + " to " + exact_word(high);
+    switch (kind) {
+    case Kind::flag:
+        return "0 or 1";
+    case Kind::choice:
+        return "one of " + joined(choices, ", ");
+    case Kind::whole_number:
+        return "a whole number from " + range;
+    case Kind::number:
+        break;
+    }
+    if (above_low) {
+        return "a number greater than " + exact_word(low);
+    }
+    return std::isinf(high) ? "a number of at least " + exact_word(low) : "a number from " + range;
+}
+
 const std::vector<Setting>& settings() {
     static const std::vector<Setting> all = make_settings();
     return all;

@@ -33,6 +33,8 @@ struct Setting {
 
     /// Whether a word is a value of this setting.
     [[nodiscard]] bool accepts(const std::string& word) const;
+    /// What it accepts, for a message: "a number of at least 1".
+    [[nodiscard]] std::string wanted() const;
 };
 
 /// All settings, in the order of the help. The factors of the levels and the frozen patches, whose
