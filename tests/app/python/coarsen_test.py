@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
+import functools
 import json
 import os
 import signal
@@ -19,6 +20,11 @@ def wing():
     return ameco.case("onera-m6", preset="m6-8k")
 
 
+@functools.cache
+def two_levels():
+    return ameco.hierarchy(wing(), 2)
+
+
 def bigger_wing():
     """Takes long enough to be stopped."""
     return ameco.case("onera-m6", preset="m6-67k")
@@ -26,7 +32,7 @@ def bigger_wing():
 
 class CoarsenTest(unittest.TestCase):
     def test_makes_the_levels_that_the_program_makes(self):
-        levels = ameco.hierarchy(wing(), 2)
+        levels = two_levels()
         self.assertEqual((len(levels), levels.status), (3, "complete"))
         with tempfile.TemporaryDirectory() as here:
             wing().write(Path(here) / "wing.meshb")
@@ -172,13 +178,13 @@ class ProgressTest(unittest.TestCase):
 
 class HierarchyTest(unittest.TestCase):
     def test_is_a_sequence_of_levels(self):
-        levels = ameco.hierarchy(wing(), 2)
+        levels = two_levels()
         self.assertEqual([level.number for level in levels], [0, 1, 2])
         self.assertEqual(levels[-1].number, 2)
         self.assertIn("8337 > ", repr(levels))
 
     def test_is_written_as_the_program_reads_it(self):
-        levels = ameco.hierarchy(wing(), 2)
+        levels = two_levels()
         with tempfile.TemporaryDirectory() as here:
             folder = Path(here) / "levels"
             levels.write(folder, transfer=True)
