@@ -52,6 +52,7 @@ Setting number_setting(std::string_view name, std::string_view label, std::strin
     s.name = name;
     s.label = label;
     s.value_name = value_name;
+    s.unit = name.ends_with("-angle") ? "deg" : "-";
     s.help = std::move(help);
     s.low = low;
     s.high = high;

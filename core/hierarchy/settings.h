@@ -20,6 +20,7 @@ struct Setting {
     std::string_view name;       ///< "slack", for the option --slack
     std::string_view label;      ///< "Slack", for the window
     std::string_view value_name; ///< "S", for the help
+    std::string_view unit;       ///< "deg"; "-" for a pure number, "" for what is none
     std::string help;            ///< one line
     Kind kind = Kind::number;
     double low = 0;                   ///< smallest value
