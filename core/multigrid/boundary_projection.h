@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
-#include "core/multigrid/box_tree.h"
+#include "core/mesh/box_tree.h"
 
 #include <array>
 #include <map>

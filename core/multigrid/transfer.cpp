@@ -5,7 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/barycentric.h"
 #include "core/multigrid/boundary_projection.h"
-#include "core/multigrid/locate.h"
+#include "core/mesh/locate.h"
 #include "core/multigrid/random_vector.h"
 
 #include <algorithm>

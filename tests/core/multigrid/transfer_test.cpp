@@ -2,7 +2,7 @@
 #include "core/multigrid/transfer.h"
 
 #include "core/multigrid/boundary_projection.h"
-#include "core/multigrid/locate.h"
+#include "core/mesh/locate.h"
 #include "tests/core/multigrid/grids.h"
 
 #include <QTest>

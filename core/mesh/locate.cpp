@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "core/multigrid/locate.h"
+#include "core/mesh/locate.h"
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/facets.h"

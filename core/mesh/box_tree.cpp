@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "core/multigrid/box_tree.h"
+#include "core/mesh/box_tree.h"
 
 #include <algorithm>
 #include <limits>
