@@ -43,9 +43,9 @@ extremely stretched mesh of triangles or tetrahedra. A batch program, a
 window, a C++ library and a Python module.")
 if(AMECO_BUILD_PYTHON)
     # Recommended only: the program needs no Python, and a cluster's node may have none.
-    math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+    math(EXPR next_minor "${AMECO_PYTHON_MINOR} + 1")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-        "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+        "python3 (>= 3.${AMECO_PYTHON_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
     set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-scipy")
     set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/debian/postinst"
         "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")

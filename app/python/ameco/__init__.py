@@ -165,7 +165,7 @@ def natural_metric(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MetricField:
-    """The metric in which the mesh is unit, at its nodes (docs/theory/metric.md)."""
+    """The metric in which the mesh is unit, at its nodes (docs/theory/means.md)."""
     return _core.natural_metric(mesh, dict(mean=mean), progress, cancel)
 
 
