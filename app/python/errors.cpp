@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 
 #include <string>
+#include <utility>
 
 namespace ameco::python {
 namespace {
@@ -61,7 +62,7 @@ PyObject* type_of(const Error& e) {
 
 void translate(std::exception_ptr pointer) {
     try {
-        std::rethrow_exception(pointer);
+        std::rethrow_exception(std::move(pointer));
     } catch (const Error& e) {
         PyObject* const type = type_of(e);
         const py::object instance = py::reinterpret_borrow<py::object>(type)(e.what());

@@ -125,8 +125,8 @@ AnyMesh read(const fs::path& path, bool repair, double ridge_angle_deg) {
 AnyMesh make_case_mesh(const std::string& name,
                        const std::map<std::string, std::string>& parameters) {
     const py::gil_scoped_release unlocked;
-    return std::visit([](auto&& mesh) { return shared(std::move(mesh), false, 0); },
-                      make_case(name, parameters));
+    auto made = make_case(name, parameters);
+    return std::visit([](auto& mesh) { return shared(std::move(mesh), false, 0); }, made);
 }
 
 void write(const AnyMesh& mesh, const fs::path& path, const std::string& format) {

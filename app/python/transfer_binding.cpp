@@ -29,7 +29,7 @@ IdVector<NodeId, NodeId> parents(const py::array_t<int, py::array::c_style>& giv
 }
 
 /// The matrix as compressed rows: shape, data, indices, indptr. The arrays look into `transfer`.
-py::tuple arrays_of(std::shared_ptr<const Transfer> transfer) {
+py::tuple arrays_of(const std::shared_ptr<const Transfer>& transfer) {
     const SparseMatrix& P = transfer->P;
     const auto entries = static_cast<py::ssize_t>(P.nonZeros());
     return py::make_tuple(py::make_tuple(P.rows(), P.cols()),

@@ -17,6 +17,7 @@ What was unusual in a file, and what a format cannot carry, goes to the logger "
 
 from __future__ import annotations
 
+import copyreg
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
@@ -147,6 +148,35 @@ def mesh(
         required_elements=required_elements,
     )
     return _core.make_mesh(given, repair, ridge_angle)
+
+
+def _from_pieces(pieces: dict[str, Any]) -> Mesh:
+    return _core.make_mesh(pieces, False, 0)
+
+
+def _pieces_of(given: Mesh) -> tuple[Callable[[dict[str, Any]], Mesh], tuple[dict[str, Any]]]:
+    """A mesh as pickle stores it, for multiprocessing, MPI and copies."""
+    return _from_pieces, ({name: getattr(given, name) for name in _PIECES},)
+
+
+_PIECES = (
+    "nodes",
+    "elements",
+    "faces",
+    "patches",
+    "patch_names",
+    "regions",
+    "labels",
+    "edges",
+    "edge_labels",
+    "corners",
+    "ridges",
+    "required_nodes",
+    "required_edges",
+    "required_faces",
+    "required_elements",
+)
+copyreg.pickle(Mesh, _pieces_of)
 
 
 def case(name: str, **parameters: Union[str, float, int]) -> Mesh:

@@ -20,6 +20,10 @@ def wing():
     return ameco.case("onera-m6", preset="m6-8k")
 
 
+def small():
+    return ameco.case("layer", nx=12, ny=12, nz=16)
+
+
 @functools.cache
 def two_levels():
     return ameco.hierarchy(wing(), 2)
@@ -108,7 +112,7 @@ class CoarsenTest(unittest.TestCase):
         self.assertEqual(ameco.hierarchy(one).status, "cannot be coarsened further")
 
     def test_does_not_depend_on_the_number_of_threads(self):
-        mesh = wing()
+        mesh = small()
         try:
             ameco.set_threads(1)
             self.assertEqual(ameco.threads(), 1)
@@ -116,6 +120,22 @@ class CoarsenTest(unittest.TestCase):
         finally:
             ameco.set_threads(0)
         self.assertEqual(ameco.coarsen(mesh).mesh, alone)
+
+
+    def test_can_be_done_in_several_threads_at_once(self):
+        mesh = wing()
+        made = [None, None]
+
+        def work(i):
+            made[i] = ameco.coarsen(mesh).mesh
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(made[0], made[1])
+        self.assertEqual(made[0], two_levels()[1].mesh)
 
 
 class ProgressTest(unittest.TestCase):
@@ -126,7 +146,7 @@ class ProgressTest(unittest.TestCase):
         def progress(fraction, step):
             told.append((fraction, step, threading.get_ident() == main))
 
-        ameco.hierarchy(wing(), 2, progress=progress)
+        ameco.hierarchy(small(), 2, progress=progress)
         fractions = [fraction for fraction, _, _ in told]
         self.assertGreater(len(told), 10)
         self.assertEqual(fractions, sorted(fractions))
@@ -143,17 +163,17 @@ class ProgressTest(unittest.TestCase):
 
         for compute in (ameco.natural_metric, ameco.coarsen, ameco.hierarchy):
             with self.assertRaises(Enough):
-                compute(wing(), progress=progress)
+                compute(small(), progress=progress)
 
     def test_false_stops(self):
         with self.assertRaises(ameco.Cancelled):
-            ameco.coarsen(wing(), progress=lambda fraction, step: False)
+            ameco.coarsen(small(), progress=lambda fraction, step: False)
         with self.assertRaises(ameco.Cancelled):
-            ameco.hierarchy(wing(), progress=lambda fraction, step: False)
+            ameco.hierarchy(small(), progress=lambda fraction, step: False)
 
     def test_finished_levels_are_kept_when_stopped(self):
         levels = ameco.hierarchy(
-            wing(), 4, progress=lambda fraction, step: not step.startswith("level 3")
+            small(), 4, progress=lambda fraction, step: not step.startswith("level 3")
         )
         self.assertEqual((len(levels), levels.status), (3, "cancelled"))
 

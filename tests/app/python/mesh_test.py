@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
+import copy
+import pickle
 import tempfile
 import unittest
 from pathlib import Path
@@ -48,6 +50,12 @@ class MeshTest(unittest.TestCase):
         for case in ("onera-m6", "model-layer"):
             mesh = ameco.case(case, **({"preset": "m6-8k"} if case == "onera-m6" else {}))
             self.assertEqual(ameco.mesh(**arrays_of(mesh)), mesh)
+
+    def test_is_the_same_after_pickle_and_copy(self):
+        mesh = ameco.case("onera-m6", preset="m6-8k")
+        for again in (pickle.loads(pickle.dumps(mesh)), copy.deepcopy(mesh)):
+            self.assertEqual(again, mesh)
+            self.assertEqual(again.patch_names, mesh.patch_names)
 
     def test_finds_its_boundary_when_made_of_nodes_and_elements(self):
         mesh = ameco.mesh(TET, [[0, 1, 2, 3]])
