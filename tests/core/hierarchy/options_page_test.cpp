@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/hierarchy/settings.h"
 
+#include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QtTest>
@@ -18,24 +19,22 @@ private slots:
 
 namespace {
 
-/// A struct with options, and where it is.
+/// A struct with options.
 struct Source {
-    const char* header;
     const char* name;
     const char* what;
 };
 constexpr Source sources[] = {
-    {"core/hierarchy/hierarchy.h", "HierarchyOptions", "How many levels, and how coarse"},
-    {"core/coarsen/coarsen.h", "CoarsenOptions", "One level"},
-    {"core/coarsen/target_metric.h", "TargetOptions", "The metric of the next level"},
-    {"core/remesh/geometry_classes.h", "FeatureOptions", "What is kept of the geometry"},
-    {"core/remesh/lines.h", "LineOptions", "Lines across layers"},
-    {"core/coarsen/removal.h", "RemovalOptions", "Which nodes leave"},
-    {"core/remesh/collapse.h", "QualityFloor", "What a removal may do to elements"},
-    {"core/remesh/surface_rules.h", "SurfaceRules", "What an operation may do to the boundary"},
-    {"core/remesh/removed_nodes.h", "InterpolationBound",
-     "How well removed nodes stay interpolated"},
-    {"core/remesh/swap.h", "SwapOptions", "Swaps"},
+    {"HierarchyOptions", "How many levels, and how coarse"},
+    {"CoarsenOptions", "One level"},
+    {"TargetOptions", "The metric of the next level"},
+    {"FeatureOptions", "What is kept of the geometry"},
+    {"LineOptions", "Lines across layers"},
+    {"RemovalOptions", "Which nodes leave"},
+    {"QualityFloor", "What a removal may do to elements"},
+    {"SurfaceRules", "What an operation may do to the boundary"},
+    {"InterpolationBound", "How well removed nodes stay interpolated"},
+    {"SwapOptions", "Swaps"},
 };
 
 struct Member {
@@ -47,22 +46,35 @@ QString content_of(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// The lines of a struct, without its braces.
-QStringList body_of(const Source& source) {
+/// Where a struct is, and its lines without the braces.
+struct Definition {
+    QString header;
+    QStringList body;
+};
+
+Definition definition_of(const Source& source) {
     const QRegularExpression pattern(QString("\nstruct %1 \\{\n(.*?)\n\\};").arg(source.name),
                                      QRegularExpression::DotMatchesEverythingOption);
-    return pattern.match(content_of(source.header)).captured(1).split('\n');
+    const QDir root(AMECO_SOURCE_DIR);
+    QDirIterator files(root.filePath("core"), {"*.h"}, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString header = root.relativeFilePath(files.next());
+        if (const auto match = pattern.match(content_of(header)); match.hasMatch()) {
+            return {header, match.captured(1).split('\n')};
+        }
+    }
+    return {};
 }
 
 /// Members with what is said of them, before (///) or behind (///<).
-QList<Member> members_of(const Source& source) {
+QList<Member> members_of(const QStringList& body) {
     static const QRegularExpression declaration(
         R"(^    ([\w:<>]+) (\w+)(?: =\s*([^;]+))?;(?:\s*///<\s*(.*))?$)");
     static const QRegularExpression behind(R"(^\s*///<\s*(.*)$)");
     static const QRegularExpression before(R"(^\s*///\s*(.*)$)");
     QList<Member> members;
     QString pending, line;
-    for (const QString& part : body_of(source)) {
+    for (const QString& part : body) {
         line = line.isEmpty() ? part : line + " " + part.trimmed();
         if (const auto match = behind.match(line); match.hasMatch()) {
             members.last().meaning += " " + match.captured(1);
@@ -115,10 +127,11 @@ QString settings_table() {
 }
 
 QString struct_table(const Source& source) {
+    const auto [header, body] = definition_of(source);
     QString text = QString("### %1: `%2`\n\n`%3`\n\n| member | default | unit | meaning |\n"
                            "|---|---|---|---|\n")
-                       .arg(source.what, source.name, source.header);
-    for (const Member& m : members_of(source)) {
+                       .arg(source.what, source.name, header);
+    for (const Member& m : members_of(body)) {
         const QString value = m.value.isEmpty() ? "`" + m.type + "`" : m.value;
         text += QString("| `%1` | %2 | %3 | %4 |\n")
                     .arg(m.name, cell(value), unit_in(m.meaning), cell(m.meaning));
@@ -161,10 +174,10 @@ void OptionsPageTest::is_the_same_in_the_manual() {
 
 void OptionsPageTest::knows_every_member_of_the_structs() {
     for (const Source& source : sources) {
-        const QString body = body_of(source).join('\n').remove(QRegularExpression("//[^\n]*"));
-        const auto semicolons = body.count(';') - body.count("operator==");
-        const QList<Member> members = members_of(source);
-        QVERIFY2(members.size() == semicolons && semicolons > 0, source.name);
+        const QStringList body = definition_of(source).body;
+        const QString code = body.join('\n').remove(QRegularExpression("//[^\n]*"));
+        const auto semicolons = code.count(';') - code.count("operator==");
+        QVERIFY2(members_of(body).size() == semicolons && semicolons > 0, source.name);
     }
 }
 
