@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/adapt/edge_queue.h"
 
+#include "core/mesh/simplex.h"
+
 #include <algorithm>
 
 namespace ameco {
@@ -11,18 +13,17 @@ std::vector<LongEdge> edges_by_length(const UnitMesh<D>& mesh, int since,
     std::vector<LongEdge> edges;
     std::vector<NodeId> neighbours;
     for (const NodeId v : mesh.edit.nodes()) {
-        if (mesh.edit.is_removed(v)) {
+        if (mesh.edit.is_removed(v) || !mesh.changed_since(v, since)) {
             continue;
         }
         mesh.neighbours(v, neighbours);
-        const bool changed = mesh.changed_since(v, since);
         for (const NodeId w : neighbours) {
-            if (w < v || !(changed || mesh.changed_since(w, since))) {
-                continue;
+            if (w < v && mesh.changed_since(w, since)) {
+                continue; // seen from w
             }
             const double length = mesh.length(v, w);
             if (wanted(length)) {
-                edges.push_back({length, {v, w}});
+                edges.push_back({length, sorted(Edge{v, w})});
             }
         }
     }

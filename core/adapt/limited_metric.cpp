@@ -27,20 +27,20 @@ Metric<D> metric_of(const Mat<D>& factor) {
 
 template <int D>
 Metric<D> limited_metric(const Metric<D>& from, const Metric<D>& target, double most,
-                         bool& within) {
+                         double& excess) {
     const Mat<D> ratio =
         length_factor(target) * from.directions * from.sizes.asDiagonal().toDenseMatrix();
     const Eigen::JacobiSVD<Mat<D>> svd(ratio, Eigen::ComputeFullV);
     const Vec<D> values = svd.singularValues();
-    within = values.maxCoeff() <= most && values.minCoeff() >= 1 / most;
-    if (within) {
+    excess = std::max({1.0, values.maxCoeff() / most, 1 / (most * values.minCoeff())});
+    if (excess == 1) {
         return target;
     }
     const Vec<D> clamped = values.cwiseMin(most).cwiseMax(1 / most);
     return metric_of<D>(clamped.asDiagonal() * svd.matrixV().transpose() * length_factor(from));
 }
 
-template Metric<2> limited_metric(const Metric<2>&, const Metric<2>&, double, bool&);
-template Metric<3> limited_metric(const Metric<3>&, const Metric<3>&, double, bool&);
+template Metric<2> limited_metric(const Metric<2>&, const Metric<2>&, double, double&);
+template Metric<3> limited_metric(const Metric<3>&, const Metric<3>&, double, double&);
 
 } // namespace ameco

@@ -50,7 +50,7 @@ private:
         double share = 1;
         for (int k = 0; k <= options_.halvings; ++k, share /= 2) {
             Vec<D> p = old.point + share * step;
-            hold_common_coordinates(old.point, p);
+            hold_common_coordinates(v, old.point, p);
             if (p == old.point) {
                 break;
             }
@@ -123,12 +123,19 @@ private:
         m.inverse_sum += 1 / std::max(quality, 1e-30);
     }
 
-    /// The neighbours a node may move among: all inside the domain, those of the plane on a planar
-    /// patch, the two of the line on a ridge.
+    /// The neighbours a node may move among: all inside the domain (as often as they share
+    /// elements with it), those of the plane on a planar patch, the two of the line on a ridge.
     bool collect_guides(NodeId v) {
         switch (mesh_.edit.node_class(v)) {
         case NodeClass::interior:
-            mesh_.neighbours(v, guides_);
+            guides_.clear();
+            for (const ElementId e : mesh_.edit.ball(v)) {
+                for (const NodeId w : mesh_.edit.nodes(e)) {
+                    if (w != v) {
+                        guides_.push_back(w);
+                    }
+                }
+            }
             return true;
         case NodeClass::patch:
             return collect_plane(v);
@@ -188,7 +195,10 @@ private:
     }
 
     /// A plane or line along a coordinate axis is kept to the bit.
-    void hold_common_coordinates(const Vec<D>& old, Vec<D>& p) const {
+    void hold_common_coordinates(NodeId v, const Vec<D>& old, Vec<D>& p) const {
+        if (mesh_.edit.node_class(v) == NodeClass::interior) {
+            return;
+        }
         for (int k = 0; k < D; ++k) {
             if (std::all_of(guides_.begin(), guides_.end(),
                             [&](NodeId w) { return mesh_.edit.point(w)[k] == old[k]; })) {
@@ -226,10 +236,12 @@ private:
                 mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
             }
         }
-        mesh_.neighbours(v, neighbours_);
-        mesh_.touch(v);
-        for (const NodeId w : neighbours_) {
-            mesh_.touch(w);
+        for (const ElementId e : mesh_.edit.ball(v)) {
+            for (const NodeId w : mesh_.edit.nodes(e)) {
+                if (w != mesh_.edit.ghost()) {
+                    mesh_.touch(w);
+                }
+            }
         }
     }
 

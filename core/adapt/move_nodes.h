@@ -9,7 +9,7 @@ namespace ameco {
 
 struct MoveOptions {
     double below = 0.9;   ///< nodes with an element of a quality below this are tried [-]
-    double gain = 1.005;  ///< the harmonic mean of the qualities must grow by this factor [-]
+    double gain = 1.002;  ///< the harmonic mean of the qualities must grow by this factor [-]
     int halvings = 3;     ///< of a step that is refused
 };
 

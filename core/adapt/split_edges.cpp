@@ -87,6 +87,13 @@ private:
                    : verdict;
     }
 
+    /// Nodes that are freer to move do not count: they can leave onto the new one. Otherwise the
+    /// nodes beside a ridge could keep it from getting its own.
+    [[nodiscard]] bool is_too_near(NodeId m, NodeId v, double shortest) const {
+        return mesh_.edit.node_class(v) >= mesh_.edit.node_class(m) &&
+               mesh_.length(m, v) < shortest;
+    }
+
     /// Whether a node is too near to the new one: a node of the shell, and where the edge is much
     /// too long, and many others beside it, also a neighbour of one.
     [[nodiscard]] bool is_crowded(NodeId a, NodeId b, NodeId m, double strict) {
@@ -96,7 +103,7 @@ private:
         for (const ElementId e : cavity_.elements) {
             for (const NodeId v : mesh_.edit.nodes(e)) {
                 if (v != mesh_.edit.ghost() && std::find(near_.begin(), near_.end(), v) == near_.end()) {
-                    if (v != a && v != b && mesh_.length(m, v) < shortest) {
+                    if (v != a && v != b && is_too_near(m, v, shortest)) {
                         return true;
                     }
                     near_.push_back(v);
@@ -109,7 +116,7 @@ private:
         for (const NodeId v : near_) {
             mesh_.neighbours(v, neighbours_);
             for (const NodeId w : neighbours_) {
-                if (mesh_.length(m, w) < shortest) {
+                if (is_too_near(m, w, shortest)) {
                     return true;
                 }
             }
