@@ -24,7 +24,9 @@ install(FILES docs/man/ameco.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES resources/completions/ameco.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ameco)
 install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/user DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# As in the repository, so that the links between pages work.
+install(FILES docs/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/user docs/theory docs/dev DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
 # `cpack` in the build folder makes ameco_<version>_<architecture>.deb.
 # Packing and installing take what is built, the target `program`, and do not build the tests first.
