@@ -25,8 +25,8 @@ install(FILES resources/completions/ameco.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ameco)
 install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # As in the repository, so that the links between pages work.
-install(FILES docs/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
-install(DIRECTORY docs/user docs/theory docs/dev DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES docs/README.md docs/reproduction.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/user docs/theory docs/dev docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
 # `cpack` in the build folder makes ameco_<version>_<architecture>.deb.
 # Packing and installing take what is built, the target `program`, and do not build the tests first.

@@ -21,12 +21,16 @@ AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, Ad
     pass.collapses =
         collapse_short_edges(mesh, options.collapse, options.surface, since, report.collapses);
     pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
-    pass.splits = split_long_edges(mesh, options.split, since, report.splits);
-    pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+    if (!options.node_nested) {
+        pass.splits = split_long_edges(mesh, options.split, since, report.splits);
+        pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+    }
     for (const NodeId v : mesh.edit.nodes()) {
         pass.nodes += mesh.edit.is_removed(v) ? 0 : 1;
     }
-    pass.moves = move_nodes(mesh, options.move, since, report.moves);
+    if (!options.node_nested) {
+        pass.moves = move_nodes(mesh, options.move, since, report.moves);
+    }
     return pass;
 }
 

@@ -20,6 +20,7 @@ struct AdaptOptions {
     CollapseOptions collapse;
     SwapOptions swap{.below = 0.8, .gain = 1.01, .rounds = 2};
     MoveOptions move;
+    bool node_nested = false; ///< no new nodes, and none is moved: what is left are nodes of the mesh
     double stage_factor = 2; ///< sizes change at most by this from stage to stage [-], > 1
     double stage_swap_below = 0.5; ///< elements below this quality are swapped on the way [-]
     int stage_passes = 2;    ///< over each stage but the last
