@@ -125,7 +125,7 @@ def means(found, figure, docs):
         is the same, since all triangles of our strip are congruent. With the turn the geodesic
         mean, which the paper could not compute, has an aspect ratio of
         {short(geodesic['aspect_ratio'])} only: as the middle between slabs in two directions it
-        loses the layer ([why]({docs}theory/metric.md#means-beside-each-other)).""",
+        loses the layer ([why]({docs}theory/means.md#means-beside-each-other)).""",
     ]
 
 
