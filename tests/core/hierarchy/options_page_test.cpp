@@ -35,6 +35,10 @@ constexpr Source sources[] = {
     {"SurfaceRules", "What an operation may do to the boundary"},
     {"InterpolationBound", "How well removed nodes stay interpolated"},
     {"SwapOptions", "Swaps"},
+    {"AdaptOptions", "Adaptation to a metric (`ameco remesh`)"},
+    {"SplitOptions", "Splits of long edges"},
+    {"CollapseOptions", "Collapses of short edges"},
+    {"MoveOptions", "Movement of nodes"},
 };
 
 struct Member {
@@ -69,7 +73,7 @@ Definition definition_of(const Source& source) {
 /// Members with what is said of them, before (///) or behind (///<).
 QList<Member> members_of(const QStringList& body) {
     static const QRegularExpression declaration(
-        R"(^    ([\w:<>]+) (\w+)(?: =\s*([^;]+))?;(?:\s*///<\s*(.*))?$)");
+        R"(^    ([\w:<>]+) (\w+)(?: =\s*([^;]+)|(\{[^;]*\}))?;(?:\s*///<\s*(.*))?$)");
     static const QRegularExpression behind(R"(^\s*///<\s*(.*)$)");
     static const QRegularExpression before(R"(^\s*///\s*(.*)$)");
     QList<Member> members;
@@ -83,8 +87,9 @@ QList<Member> members_of(const QStringList& body) {
         } else if (!line.contains(';') && line.contains('=')) {
             continue; // the value is on the next line
         } else if (const auto found = declaration.match(line); found.hasMatch()) {
-            members.append({found.captured(1), found.captured(2), found.captured(3),
-                            found.captured(4).isEmpty() ? pending : found.captured(4)});
+            const QString meaning = found.captured(5).isEmpty() ? pending : found.captured(5);
+            members.append({found.captured(1), found.captured(2),
+                            found.captured(3) + found.captured(4), meaning});
             pending.clear();
         }
         line.clear();
