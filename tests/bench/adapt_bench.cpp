@@ -2,17 +2,24 @@
 /// \file
 /// Adaptation of the unit cube to metrics by formula: conformity, quality, nodes, CPU seconds.
 ///
-///     adapt_bench [CYCLES] [CASE...]
+///     adapt_bench [--mmg PROGRAM] [--cycles N] [--back] [--verbose] [CASE...]
 ///
 /// A cycle adapts to the metric given at the nodes of the mesh, as the peers do it; the formula is
-/// evaluated again on the result. What is printed is measured in the formula at the nodes.
+/// evaluated again on the result. What is printed is measured in the formula at the nodes. With
+/// --mmg the program mmg3d does the same cycles on the same start, through files; its time is that
+/// of the child processes. With --back the result is coarsened to edges of 0.1 everywhere.
 #include "core/adapt/adapt.h"
 #include "core/cases/analytic_metric.h"
 #include "core/cases/cube.h"
+#include "core/io/io.h"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -59,46 +66,120 @@ void print(const char* what, const VerdictCounts& counts) {
     std::printf("\n");
 }
 
-void run(const Case& c, int cycles, bool verbose) {
-    Mesh<3> mesh = make_cube<3>({.n = 20, .displace = 0});
+struct Wishes {
+    std::string mmg;
+    int cycles = 1;
+    bool back = false, verbose = false;
+    std::vector<std::string> names;
+};
+
+void print_row(const std::string& who, const Case& c, int cycle, const Mesh<3>& mesh,
+               double seconds) {
+    const Conformity k = conformity(mesh, evaluate(c, mesh));
+    std::printf("%-8s %-9s %d %7zu %8.2f %6.1f  %.2f %6.2f  %.1e/%.2f\n", who.c_str(),
+                c.name.c_str(), cycle, mesh.points.size(), seconds, 100 * k.in_band, k.shortest,
+                k.longest, k.worst_quality, k.mean_quality);
+    std::fflush(stdout);
+}
+
+void print_passes(const AdaptReport& report) {
+    for (const AdaptPass& p : report.passes) {
+        std::printf("    %7lld nodes: %lld splits, %lld collapses, %lld swaps, %lld moves\n",
+                    static_cast<long long>(p.nodes), static_cast<long long>(p.splits),
+                    static_cast<long long>(p.collapses), static_cast<long long>(p.swaps),
+                    static_cast<long long>(p.moves));
+    }
+    print("splits", report.splits);
+    print("collapses", report.collapses);
+    print("swaps", report.swaps);
+    print("moves", report.moves);
+}
+
+void coarsen_back(const Mesh<3>& mesh, const Case& c) {
     const double begin = cpu_seconds();
-    for (int n = 1; n <= cycles; ++n) {
+    const MetricField<3> field(mesh.points.size(), {Vec<3>::Constant(0.1), Mat<3>::Identity()});
+    AdaptReport report;
+    const Mesh<3> back = adapt(mesh, BackgroundMetric<3>(mesh, field), {}, report).mesh;
+    std::printf("%-8s %-9s   %7zu %8.2f %6.1f  %.2f %6.2f  %.1e/%.2f  (to 0.1 everywhere)\n",
+                "ameco", c.name.c_str(), back.points.size(), cpu_seconds() - begin,
+                100 * report.conformity.in_band, report.conformity.shortest,
+                report.conformity.longest, report.conformity.worst_quality,
+                report.conformity.mean_quality);
+}
+
+void run(const Case& c, const Wishes& wishes) {
+    Mesh<3> mesh = make_cube<3>({.n = 20, .displace = 0});
+    double seconds = 0;
+    for (int n = 1; n <= wishes.cycles; ++n) {
         const MetricField<3> field = evaluate(c, mesh);
-        const BackgroundMetric<3> source(mesh, field);
+        const double begin = cpu_seconds();
         AdaptReport report;
-        mesh = adapt(mesh, source, {}, report).mesh;
-        const Conformity k = conformity(mesh, evaluate(c, mesh));
-        std::printf("%-9s %d %7zu %7.2f %6.1f  %.2f %.2f  %.1e/%.2f\n", c.name.c_str(), n,
-                    mesh.points.size(), cpu_seconds() - begin, 100 * k.in_band, k.shortest,
-                    k.longest, k.worst_quality, k.mean_quality);
-        if (verbose) {
-            for (const AdaptPass& p : report.passes) {
-                std::printf("    %7lld nodes: %lld splits, %lld collapses, %lld swaps, %lld moves\n",
-                            static_cast<long long>(p.nodes), static_cast<long long>(p.splits),
-                            static_cast<long long>(p.collapses), static_cast<long long>(p.swaps),
-                            static_cast<long long>(p.moves));
-            }
-            print("splits", report.splits);
-            print("collapses", report.collapses);
-            print("swaps", report.swaps);
-            print("moves", report.moves);
+        mesh = adapt(mesh, BackgroundMetric<3>(mesh, field), {}, report).mesh;
+        seconds += cpu_seconds() - begin;
+        print_row("ameco", c, n, mesh, seconds);
+        if (wishes.verbose) {
+            print_passes(report);
         }
-        std::fflush(stdout);
+    }
+    if (wishes.back) {
+        coarsen_back(mesh, c);
+    }
+}
+
+double child_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+void run_mmg(const Case& c, const Wishes& wishes) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "ameco_adapt_bench";
+    fs::create_directories(folder);
+    Mesh<3> mesh = make_cube<3>({.n = 20, .displace = 0});
+    const double begin = child_seconds();
+    for (int n = 1; n <= wishes.cycles; ++n) {
+        write_mesh(folder / "in.mesh", mesh);
+        write_metric(folder / "in.sol", evaluate(c, mesh));
+        fs::remove(folder / "out.mesh");
+        // Without -hgrad -1 layers become isotropic.
+        const std::string command = "cd " + folder.string() + " && " + wishes.mmg +
+                                    " -in in.mesh -sol in.sol -out out.mesh -hgrad -1 > out.txt";
+        if (std::system(command.c_str()) != 0 || !fs::exists(folder / "out.mesh")) {
+            std::printf("mmg      %-9s %d failed\n", c.name.c_str(), n);
+            return;
+        }
+        mesh = std::get<Mesh<3>>(read_mesh(folder / "out.mesh").mesh);
+        print_row("mmg", c, n, mesh, child_seconds() - begin);
     }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const int cycles = argc > 1 ? std::atoi(argv[1]) : 3;
-    std::printf("case    cycle   nodes   cpu s  unit%%  lengths    quality\n");
-    for (const Case& c : cases) {
-        bool wanted = argc <= 2;
-        for (int i = 2; i < argc; ++i) {
-            wanted = wanted || c.name == argv[i];
+    Wishes wishes;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--mmg" && i + 1 < argc) {
+            wishes.mmg = argv[++i];
+        } else if (word == "--cycles" && i + 1 < argc) {
+            wishes.cycles = std::atoi(argv[++i]);
+        } else if (word == "--back" || word == "--verbose") {
+            (word == "--back" ? wishes.back : wishes.verbose) = true;
+        } else {
+            wishes.names.push_back(word);
         }
-        if (wanted) {
-            run(c, cycles, std::getenv("ADAPT_BENCH_PASSES") != nullptr);
+    }
+    std::printf("program  case    cycle   nodes    cpu s  unit%%  lengths      quality\n");
+    for (const Case& c : cases) {
+        const auto& names = wishes.names;
+        if (!names.empty() && std::find(names.begin(), names.end(), c.name) == names.end()) {
+            continue;
+        }
+        run(c, wishes);
+        if (!wishes.mmg.empty()) {
+            run_mmg(c, wishes);
         }
     }
     return 0;
