@@ -25,6 +25,15 @@ std::vector<std::string> interpolations() {
     return words;
 }
 
+template <class Words>
+std::vector<std::string> names_of(const Words& words) {
+    std::vector<std::string> names;
+    for (const auto word : words) {
+        names.emplace_back(name(word));
+    }
+    return names;
+}
+
 class RemeshCommand : public Command {
 public:
     [[nodiscard]] CommandHelp help() const override {
@@ -68,8 +77,17 @@ public:
             ->check(one_of(interpolations()));
         app.add_flag("--node-nested", options_.node_nested,
                      "only take nodes away: no new ones, and none is moved");
+        app.add_option("--engine", engine_,
+                       "fast, or mtc: the paper's iteration until stagnation, slower [fast]")
+            ->type_name("ENGINE")
+            ->check(one_of(names_of(all_engines)));
+        app.add_option("--quality", quality_,
+                       "quality of elements: shape, original (with the mean size) or modified "
+                       "(with every edge and the volume) [shape; of mtc modified]")
+            ->type_name("QUALITY")
+            ->check(one_of(names_of(all_qualities)));
         app.add_option("--passes", options_.passes,
-                       "passes over the mesh at the end, at most [" +
+                       "passes of the fast engine over the mesh at the end, at most [" +
                            std::to_string(options_.passes) + "]")
             ->type_name("N")
             ->check(whole_number(1, 1000));
@@ -83,6 +101,8 @@ public:
         if (metric_.empty() && size_ == 0) {
             throw UsageError("--metric or --size is missing (see ameco remesh --help)");
         }
+        options_.engine = *engine_from_name(engine_);
+        options_.quality = quality_from_name(quality_);
         refuse_overwriting(mesh_, output_);
         if (!metric_out_.empty()) {
             require_suffix(metric_out_, {".solb", ".sol"});
@@ -176,6 +196,8 @@ private:
 
     void print_json(std::ostream& out, const AdaptReport& r) const {
         const Json json{{"output", output_},
+                        {"engine", engine_},
+                        {"quality", name(quality_of(options_))},
                         {"nodes_before", r.nodes_before},
                         {"nodes", r.nodes_after},
                         {"elements_before", r.elements_before},
@@ -195,6 +217,7 @@ private:
 
     std::string mesh_, metric_, metric_out_, output_;
     std::string interpolation_ = "corrected";
+    std::string engine_ = "fast", quality_;
     double size_ = 0;
     std::vector<std::string> frozen_;
     HierarchyOptions shared_; ///< what `coarsen` has too

@@ -8,12 +8,39 @@
 #include "core/metric/expected_nodes.h"
 #include "core/metric/nodal_metric.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace ameco {
 namespace {
+
+template <int D>
+std::int64_t count_nodes(const EditMesh<D>& mesh) {
+    std::int64_t count = 0;
+    for (const NodeId v : mesh.nodes()) {
+        count += mesh.is_removed(v) ? 0 : 1;
+    }
+    return count;
+}
+
+template <int D>
+AdaptPass run_sweep(UnitMesh<D>& mesh, const AdaptOptions& options, int since,
+                    AdaptReport& report) {
+    const auto made = [&] {
+        return std::array{report.splits[Verdict::accepted], report.collapses[Verdict::accepted],
+                          report.swaps[Verdict::accepted], report.moves[Verdict::accepted]};
+    };
+    MtcOptions mtc = options.mtc;
+    mtc.new_places = mtc.new_places && !options.node_nested;
+    const auto before = made();
+    (void)mtc_sweep(mesh, mtc, options.surface, since,
+                    {report.collapses, report.moves, report.swaps, report.splits});
+    const auto after = made();
+    return {count_nodes(mesh.edit), after[0] - before[0], after[1] - before[1],
+            after[2] - before[2], after[3] - before[3]};
+}
 
 template <int D>
 AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, AdaptReport& report) {
@@ -25,9 +52,7 @@ AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, Ad
         pass.splits = split_long_edges(mesh, options.split, since, report.splits);
         pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
     }
-    for (const NodeId v : mesh.edit.nodes()) {
-        pass.nodes += mesh.edit.is_removed(v) ? 0 : 1;
-    }
+    pass.nodes = count_nodes(mesh.edit);
     if (!options.node_nested) {
         pass.moves = move_nodes(mesh, options.move, since, report.moves);
     }
@@ -65,7 +90,7 @@ Stage<D> first_stage(const Mesh<D>& mesh, const MetricSource<D>& source,
     return stage;
 }
 
-/// Passes over a stage until little changes.
+/// Passes over a stage until little changes; sweeps of the paper's engine until nothing does.
 template <int D>
 void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptReport& report,
                 Monitor& monitor) {
@@ -76,11 +101,14 @@ void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptR
             throw Cancelled();
         }
         const int now = mesh.tick();
-        report.passes.push_back(run_pass(mesh, options, since, report));
+        const bool mtc = options.engine == Engine::mtc;
+        report.passes.push_back(mtc ? run_sweep(mesh, options, since, report)
+                                    : run_pass(mesh, options, since, report));
         const AdaptPass& pass = report.passes.back();
         since = now;
         const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;
-        if (static_cast<double>(changes) < options.fewest * static_cast<double>(pass.nodes)) {
+        const double fewest = mtc ? 0 : options.fewest * static_cast<double>(pass.nodes);
+        if (changes == 0 || static_cast<double>(changes) < fewest) {
             break;
         }
     }
@@ -97,7 +125,7 @@ Stage<D> next_stage(const Stage<D>& stage, const MetricSource<D>& source,
             near[v] = v;
         }
     }
-    UnitMesh<D> unit(stage.mesh, stage.geometry, source, near);
+    UnitMesh<D> unit(stage.mesh, stage.geometry, source, near, quality_of(options));
     run_passes(unit, options, passes, report, monitor);
     auto compact = unit.edit.compact();
     Stage<D> next{std::move(compact.mesh), std::move(compact.classes), {}, {}};
@@ -145,21 +173,45 @@ void approach(Stage<D>& stage, const MetricSource<D>& source, const AdaptOptions
 
 } // namespace
 
+std::string_view name(Engine engine) {
+    return engine == Engine::fast ? "fast" : "mtc";
+}
+
+std::optional<Engine> engine_from_name(std::string_view text) {
+    for (const Engine engine : all_engines) {
+        if (name(engine) == text) {
+            return engine;
+        }
+    }
+    return {};
+}
+
+Quality quality_of(const AdaptOptions& options) {
+    return options.quality.value_or(options.engine == Engine::fast ? Quality::shape
+                                                                   : Quality::modified);
+}
+
 template <int D>
 Adapted<D> adapt(const Mesh<D>& mesh, const MetricSource<D>& source, const AdaptOptions& options,
                  AdaptReport& report, Monitor& monitor) {
+    const bool mtc = options.engine == Engine::mtc;
+    if (mtc && quality_of(options) == Quality::shape) {
+        throw UsageError("the engine mtc needs the quality original or modified: the shape alone "
+                         "knows no sizes");
+    }
     Stopwatch watch;
     report = {};
     report.nodes_before = static_cast<std::int64_t>(mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(mesh.elements.size());
     Stage<D> stage = first_stage(mesh, source, options.features);
     report.conformity_before = conformity(mesh, stage.target);
-    {
+    if (!mtc) {
         MonitorPart part(monitor, 0, 0.4);
         approach(stage, source, options, report, part);
     }
     MonitorPart part(monitor, 0.4, 0.95);
-    stage = next_stage(stage, source, options, options.passes, false, report, part);
+    stage = next_stage(stage, source, options, mtc ? options.mtc.sweeps : options.passes, false,
+                       report, part);
     set_targets(stage, source);
 
     monitor.progress(0.97, "checking");

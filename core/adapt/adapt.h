@@ -5,6 +5,7 @@
 
 #include "core/adapt/collapse_edges.h"
 #include "core/adapt/move_nodes.h"
+#include "core/adapt/mtc.h"
 #include "core/adapt/split_edges.h"
 #include "core/adapt/swap_edges.h"
 #include "core/base/monitor.h"
@@ -13,7 +14,21 @@
 
 namespace ameco {
 
+/// How a mesh is brought nearer to its metric.
+enum class Engine {
+    fast, ///< operators in turn, each on the edges and elements that want it; in stages
+    mtc   ///< the paper's iteration (section 4.3) until stagnation, see mtc.h; at once
+};
+
+inline constexpr std::array all_engines{Engine::fast, Engine::mtc};
+
+[[nodiscard]] std::string_view name(Engine engine);
+[[nodiscard]] std::optional<Engine> engine_from_name(std::string_view name);
+
 struct AdaptOptions {
+    Engine engine = Engine::fast;
+    std::optional<Quality> quality; ///< none: \see quality_of
+    MtcOptions mtc;
     FeatureOptions features;
     SurfaceRules surface;
     SplitOptions split;
@@ -31,7 +46,11 @@ struct AdaptOptions {
     double fewest = 0.03;          ///< ... when a pass makes fewer changes than this per node
 };
 
-/// What one pass did.
+/// The quality of elements that options ask for. Where they leave it open, `fast` takes the shape,
+/// because it knows lengths itself, and `mtc`, which knows nothing else, the modified quality.
+[[nodiscard]] Quality quality_of(const AdaptOptions& options);
+
+/// What one pass, or sweep, did.
 struct AdaptPass {
     std::int64_t nodes = 0, splits = 0, collapses = 0, swaps = 0, moves = 0;
 };
@@ -57,6 +76,7 @@ struct Adapted {
 
 /// Makes `mesh` unit in the metric `source` by splits, collapses, swaps and moves of nodes.
 /// \param mesh  valid, with its boundary faces
+/// \throws UsageError when the engine is `mtc` and the quality the shape, which knows no sizes
 /// \throws Cancelled when asked to stop; nothing is left half done
 /// \see docs/theory/adaptation.md
 template <int D>

@@ -2,23 +2,12 @@
 #include "core/adapt/split_edges.h"
 
 #include "core/adapt/edge_queue.h"
+#include "core/adapt/edge_shell.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ameco {
 namespace {
-
-/// Where along an edge from a to b the two parts have the same length, when the density of length
-/// goes geometrically from l_a to l_b.
-double middle(double l_a, double l_b) {
-    const double r = std::log(l_b / l_a);
-    if (std::abs(r) < 1e-3) {
-        return 0.5 + r / 8;
-    }
-    constexpr double nearest_end = 0.1;
-    return std::clamp(std::log(0.5 * (1 + std::exp(r))) / r, nearest_end, 1 - nearest_end);
-}
 
 template <int D>
 class Splitter {
@@ -27,21 +16,11 @@ public:
 
     Verdict split(NodeId a, NodeId b, double length) {
         gather_shell(mesh_.edit, a, b, cavity_);
-        const Verdict allowed = allowed_by_geometry(a, b);
+        const Verdict allowed = allowed_to_change(mesh_.edit, a, b, cavity_);
         if (allowed != Verdict::accepted) {
             return allowed;
         }
-        const bool ridge = mesh_.edit.is_ridge(a, b);
-        const bool boundary = std::any_of(cavity_.elements.begin(), cavity_.elements.end(),
-                                          [&](ElementId e) { return mesh_.edit.is_ghost(e); });
-        const Vec<D> e = mesh_.edit.point(b) - mesh_.edit.point(a);
-        const Vec<D> p =
-            mesh_.edit.point(a) + middle(mesh_.length_at(a, e), mesh_.length_at(b, e)) * e;
-        const NodeId m = mesh_.add_node(p, a,
-                                        ridge      ? NodeClass::ridge
-                                        : boundary ? NodeClass::patch
-                                                   : NodeClass::interior,
-                                        boundary);
+        const NodeId m = add_middle_node(mesh_, a, b, cavity_);
         const Verdict verdict = judge(a, b, m, length);
         if (verdict != Verdict::accepted) {
             mesh_.drop_last_node();
@@ -53,26 +32,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool frozen(NodeId v) const {
-        return mesh_.edit.node_class(v) == NodeClass::frozen;
-    }
-
-    /// Faces inside the domain, required elements and edges have frozen nodes only.
-    [[nodiscard]] Verdict allowed_by_geometry(NodeId a, NodeId b) const {
-        if (!frozen(a) || !frozen(b)) {
-            return Verdict::accepted;
-        }
-        if (mesh_.edit.has_protected_inside()) {
-            return Verdict::region_border;
-        }
-        const bool kept =
-            mesh_.edit.is_required(a, b) ||
-            std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
-                return mesh_.edit.is_ghost(e) && mesh_.edit.is_frozen(e);
-            });
-        return kept ? Verdict::geometry_class : Verdict::accepted;
-    }
-
     [[nodiscard]] Verdict judge(NodeId a, NodeId b, NodeId m, double length) {
         // What is asked falls to nothing where the edge is much too long.
         const double strict =

@@ -9,10 +9,11 @@ namespace ameco {
 
 template <int D>
 UnitMesh<D>::UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes,
-                      const MetricSource<D>& source, IdVector<NodeId, NodeId> near)
-    : edit(mesh, classes), source_(source), factor_(mesh.points.size(), Mat<D>::Zero()),
-      root_(mesh.points.size()), short_size_(mesh.points.size(), 0), near_(std::move(near)),
-      touched_(mesh.points.size(), 0) {
+                      const MetricSource<D>& source, IdVector<NodeId, NodeId> near,
+                      Quality quality_function)
+    : edit(mesh, classes), source_(source), quality_(quality_function),
+      factor_(mesh.points.size(), Mat<D>::Zero()), root_(mesh.points.size()),
+      short_size_(mesh.points.size(), 0), near_(std::move(near)), touched_(mesh.points.size(), 0) {
     parallel_for(mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const NodeId v(i);

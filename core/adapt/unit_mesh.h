@@ -12,14 +12,14 @@
 namespace ameco {
 
 /// An EditMesh with a metric at every node, also at those that are put in or moved. The `measure`
-/// of its elements is their quality (16) in the metric.
+/// of its elements is their quality in the metric.
 template <int D>
 class UnitMesh {
 public:
     /// \param source  where new nodes get their metric from; must outlive this
     /// \param near    a node of the source's background mesh near each node
     UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes, const MetricSource<D>& source,
-             IdVector<NodeId, NodeId> near);
+             IdVector<NodeId, NodeId> near, Quality quality = Quality::shape);
 
     EditMesh<D> edit;
 
@@ -42,7 +42,9 @@ public:
         // The rows of F are orthogonal: F^-1 = F^T diag(1 / |row|^2).
         return factor_[v].transpose() * y.cwiseQuotient(factor_[v].rowwise().squaredNorm());
     }
-    [[nodiscard]] double quality(const Simplex<D>& s) const { return metric_shape(edit, root_, s); }
+    [[nodiscard]] double quality(const Simplex<D>& s) const {
+        return metric_quality(edit, root_, s, quality_);
+    }
     /// A node of the background mesh near a node.
     [[nodiscard]] NodeId near(NodeId v) const { return near_[v]; }
     /// h_1 of the metric at a node [L].
@@ -89,6 +91,7 @@ private:
     void set_metric(NodeId v, const Metric<D>& metric);
 
     const MetricSource<D>& source_;
+    Quality quality_;
     IdVector<NodeId, Mat<D>> factor_;
     RootField<D> root_;
     IdVector<NodeId, double> short_size_;

@@ -92,17 +92,57 @@ Measures<D> measure(const std::array<Vec<D>, D + 1>& x, const Tensor<D>& s) {
     return m;
 }
 
-/// Q_F Q_S.
+/// h_M^D.
+template <int D>
+double rms_power(const Measures<D>& m) {
+    return D == 2 ? m.h2 : m.h2 * std::sqrt(m.h2);
+}
+
+template <int D>
+double shape_quality(const Measures<D>& m) {
+    return std::max(0.0, m.volume / rms_power(m));
+}
+
 template <int D>
 double original_quality(const Measures<D>& m) {
-    const double h = std::sqrt(m.h2);
-    const double h_d = D == 2 ? m.h2 : m.h2 * h;
-    const double shape = m.volume / h_d;
+    const double h_d = rms_power(m);
     const double size = std::min(h_d, 1 / h_d);
-    return std::max(0.0, shape * size);
+    return std::max(0.0, m.volume / h_d * size);
+}
+
+template <int D>
+double modified_quality(const Measures<D>& m) {
+    double worst = 1;
+    for (const double square : m.squares) {
+        worst = std::min({worst, square, 1 / square});
+    }
+    const double sizes = D == 2 ? worst : worst * std::sqrt(worst);
+    const double volume = std::min(m.volume, 1 / m.volume);
+    return shape_quality(m) * sizes * std::max(0.0, volume);
 }
 
 } // namespace
+
+std::string_view name(Quality quality) {
+    switch (quality) {
+    case Quality::shape:
+        return "shape";
+    case Quality::original:
+        return "original";
+    case Quality::modified:
+        break;
+    }
+    return "modified";
+}
+
+std::optional<Quality> quality_from_name(std::string_view text) {
+    for (const Quality quality : all_qualities) {
+        if (name(quality) == text) {
+            return quality;
+        }
+    }
+    return {};
+}
 
 template <int D>
 Tensor<D> root_of(const Metric<D>& m) {
@@ -139,34 +179,26 @@ MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>& x,
         }
     }
     const Measures<D> m = measure<D>(x, mean);
-    double worst = 1;
-    for (const double square : m.squares) {
-        worst = std::min({worst, square, 1 / square});
-    }
-    const double sizes = std::pow(worst, D / 2.0);
-    const double shape = m.volume / std::pow(m.h2, D / 2.0);
-    const double volume = std::min(m.volume, 1 / m.volume);
-    return {original_quality(m), std::max(0.0, shape * sizes * volume)};
+    return {original_quality(m), modified_quality(m)};
 }
 
 template <int D>
-double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
-                      const Simplex<D>& element) {
-    std::array<Vec<D>, D + 1> x;
-    for (int i = 0; i <= D; ++i) {
-        x[i] = mesh.point(element[i]);
-    }
-    return original_quality(measure<D>(x, mean_root<D>(root, element)));
-}
-
-template <int D>
-double metric_shape(const EditMesh<D>& mesh, const RootField<D>& root, const Simplex<D>& element) {
+double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root, const Simplex<D>& element,
+                      Quality quality) {
     std::array<Vec<D>, D + 1> x;
     for (int i = 0; i <= D; ++i) {
         x[i] = mesh.point(element[i]);
     }
     const Measures<D> m = measure<D>(x, mean_root<D>(root, element));
-    return std::max(0.0, m.volume / (D == 2 ? m.h2 : m.h2 * std::sqrt(m.h2)));
+    switch (quality) {
+    case Quality::shape:
+        return shape_quality(m);
+    case Quality::original:
+        return original_quality(m);
+    case Quality::modified:
+        break;
+    }
+    return modified_quality(m);
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
@@ -174,8 +206,8 @@ double metric_shape(const EditMesh<D>& mesh, const RootField<D>& root, const Sim
     template RootField<D> make_root_field(const MetricField<D>&);                                  \
     template MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>&,                    \
                                               const std::array<Metric<D>, D + 1>&);                \
-    template double metric_shape(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);      \
-    template double metric_quality(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);
+    template double metric_quality(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&,     \
+                                   Quality);
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

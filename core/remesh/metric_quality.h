@@ -7,8 +7,22 @@
 #include "core/remesh/edit_mesh.h"
 
 #include <array>
+#include <optional>
+#include <string_view>
 
 namespace ameco {
+
+/// Which quality of an element in a metric; all in [0, 1], and 1 for the regular one of unit size.
+enum class Quality {
+    shape,    ///< Q_F (17): any size will do
+    original, ///< Q_F Q_S, (16) with the size factor (19)
+    modified  ///< Q_F Q_S Q_V of section 4.4: every edge and the volume must have their size
+};
+
+inline constexpr std::array all_qualities{Quality::shape, Quality::original, Quality::modified};
+
+[[nodiscard]] std::string_view name(Quality quality);
+[[nodiscard]] std::optional<Quality> quality_from_name(std::string_view name);
 
 /// S = M^(-1/2) at every node, components as in Tensor [L]: what the metric of an element is the
 /// mean of.
@@ -37,16 +51,10 @@ template <int D>
 [[nodiscard]] MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>& x,
                                                const std::array<Metric<D>, D + 1>& natural);
 
-/// Q = Q_F Q_S with the shape (17) and the size factor (19) in the metric M(T) = (mean of S)^-2 of
-/// the element's nodes; lengths come from |e|_M = |S^-1 e| without an eigenproblem.
-/// \return in [0, 1], 1 for a regular simplex of edge 1 in the metric
+/// The quality in the metric M(T) = (mean of S)^-2 of the element's nodes; lengths come from
+/// |e|_M = |S^-1 e| without an eigenproblem.
 template <int D>
 [[nodiscard]] double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
-                                    const Simplex<D>& element);
-
-/// The shape Q_F (17) alone, in the same metric.
-template <int D>
-[[nodiscard]] double metric_shape(const EditMesh<D>& mesh, const RootField<D>& root,
-                                  const Simplex<D>& element);
+                                    const Simplex<D>& element, Quality quality = Quality::original);
 
 } // namespace ameco

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// Adaptation of the unit cube to metrics by formula: conformity, quality, nodes, CPU seconds.
+/// Adaptation of the unit cube to metrics by formula, and of other meshes to coarser ones:
+/// conformity, quality, nodes, CPU seconds.
 ///
-///     adapt_bench [--mmg PROGRAM] [--cycles N] [--back] [--verbose] [CASE...]
+///     adapt_bench [--engine fast|mtc] [--quality shape|original|modified] [--node-nested]
+///                 [--mmg PROGRAM] [--cycles N] [--back] [--verbose] [CASE...]
 ///
 /// A cycle adapts to the metric given at the nodes of the mesh, as the peers do it; the formula is
 /// evaluated again on the result. What is printed is measured in the formula at the nodes. With
 /// --mmg the program mmg3d does the same cycles on the same start, through files; its time is that
 /// of the child processes. With --back the result is coarsened to edges of 0.1 everywhere.
+///
+/// The cases cube-8, layer-1e3 and m6-8k take meshes to the metric of their next coarser level, and
+/// print the ratio of nodes, fine over coarse.
 #include "core/adapt/adapt.h"
 #include "core/cases/analytic_metric.h"
 #include "core/cases/cube.h"
+#include "core/cases/layer.h"
+#include "core/cases/onera_m6.h"
+#include "core/coarsen/target_metric.h"
 #include "core/io/io.h"
+#include "core/metric/nodal_metric.h"
 
 #include <sys/resource.h>
 
@@ -67,6 +76,7 @@ struct Wishes {
     std::string mmg;
     int cycles = 1;
     bool back = false, verbose = false;
+    AdaptOptions options;
     std::vector<std::string> names;
 };
 
@@ -92,11 +102,57 @@ void print_passes(const AdaptReport& report) {
     print("moves", report.moves);
 }
 
-void coarsen_back(const Mesh<3>& mesh, const Case& c) {
+/// A mesh, and the metric of its next coarser level.
+struct Coarsening {
+    Mesh<3> mesh;
+    MetricField<3> target;
+};
+
+Coarsening make_coarsening(const std::string& name) {
+    if (name == "cube-8") {
+        Mesh<3> mesh = make_cube<3>({.n = 8});
+        return {mesh, MetricField<3>(mesh.points.size(),
+                                     {Vec<3>::Constant(2.0 / 8), Mat<3>::Identity()})};
+    }
+    Mesh<3> mesh;
+    if (name == "layer-1e3") {
+        LayerOptions layer;
+        layer.aspect_ratio = 1e3;
+        mesh = make_layer<3>(layer);
+    } else {
+        for (const OneraM6Preset& preset : onera_m6_presets()) {
+            if (preset.name == name) {
+                mesh = make_onera_m6(preset.options);
+            }
+        }
+    }
+    return {mesh, target_metric(mesh, nodal_metric(mesh, Mean::blended))};
+}
+
+void run_coarsening(const std::string& name, const Wishes& wishes) {
+    const Coarsening c = make_coarsening(name);
+    const BackgroundMetric<3> source(c.mesh, c.target);
+    const double begin = cpu_seconds();
+    AdaptReport report;
+    (void)adapt(c.mesh, source, wishes.options, report);
+    const Conformity& k = report.conformity;
+    std::printf("%-8s %-9s   %7lld %8.2f %6.1f  %.2f %6.2f  %.1e/%.2f  (ratio %.2f, %zu passes)\n",
+                std::string(ameco::name(wishes.options.engine)).c_str(), name.c_str(),
+                static_cast<long long>(report.nodes_after), cpu_seconds() - begin, 100 * k.in_band,
+                k.shortest, k.longest, k.worst_quality, k.mean_quality,
+                static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after),
+                report.passes.size());
+    std::fflush(stdout);
+    if (wishes.verbose) {
+        print_passes(report);
+    }
+}
+
+void coarsen_back(const Mesh<3>& mesh, const Case& c, const AdaptOptions& options) {
     const double begin = cpu_seconds();
     const MetricField<3> field(mesh.points.size(), {Vec<3>::Constant(0.1), Mat<3>::Identity()});
     AdaptReport report;
-    const Mesh<3> back = adapt(mesh, BackgroundMetric<3>(mesh, field), {}, report).mesh;
+    const Mesh<3> back = adapt(mesh, BackgroundMetric<3>(mesh, field), options, report).mesh;
     std::printf("%-8s %-9s   %7zu %8.2f %6.1f  %.2f %6.2f  %.1e/%.2f  (to 0.1 everywhere)\n",
                 "ameco", c.name.c_str(), back.points.size(), cpu_seconds() - begin,
                 100 * report.conformity.in_band, report.conformity.shortest,
@@ -111,7 +167,7 @@ void run(const Case& c, const Wishes& wishes) {
         const MetricField<3> field = evaluate(c, mesh);
         const double begin = cpu_seconds();
         AdaptReport report;
-        mesh = adapt(mesh, BackgroundMetric<3>(mesh, field), {}, report).mesh;
+        mesh = adapt(mesh, BackgroundMetric<3>(mesh, field), wishes.options, report).mesh;
         seconds += cpu_seconds() - begin;
         print_row("ameco", c, n, mesh, seconds);
         if (wishes.verbose) {
@@ -119,7 +175,7 @@ void run(const Case& c, const Wishes& wishes) {
         }
     }
     if (wishes.back) {
-        coarsen_back(mesh, c);
+        coarsen_back(mesh, c, wishes.options);
     }
 }
 
@@ -164,19 +220,33 @@ int main(int argc, char** argv) {
             wishes.cycles = std::atoi(argv[++i]);
         } else if (word == "--back" || word == "--verbose") {
             (word == "--back" ? wishes.back : wishes.verbose) = true;
+        } else if (word == "--engine" && i + 1 < argc) {
+            wishes.options.engine = engine_from_name(argv[++i]).value();
+        } else if (word == "--quality" && i + 1 < argc) {
+            wishes.options.quality = quality_from_name(argv[++i]).value();
+        } else if (word == "--node-nested") {
+            wishes.options.node_nested = true;
         } else {
             wishes.names.push_back(word);
         }
     }
     std::printf("program  case    cycle   nodes    cpu s  unit%%  lengths      quality\n");
-    for (const Case& c : cases) {
+    const auto wanted = [&](const std::string& name) {
         const auto& names = wishes.names;
-        if (!names.empty() && std::find(names.begin(), names.end(), c.name) == names.end()) {
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const Case& c : cases) {
+        if (!wanted(c.name)) {
             continue;
         }
         run(c, wishes);
         if (!wishes.mmg.empty()) {
             run_mmg(c, wishes);
+        }
+    }
+    for (const std::string name : {"cube-8", "layer-1e3", "m6-8k"}) {
+        if (wanted(name)) {
+            run_coarsening(name, wishes);
         }
     }
     return 0;

@@ -55,11 +55,11 @@ struct Bench {
     UnitMesh<D> unit;
 
     template <class Source>
-    Bench(int n, const Source& metric, int seed = 1)
+    Bench(int n, const Source& metric, int seed = 1, Quality quality = Quality::shape)
         : mesh(make_cube<D>({.n = n, .displace = 0.2, .seed = seed})),
           source(std::make_shared<Source>(metric)),
           unit(mesh, classify_geometry(mesh), *source,
-               IdVector<NodeId, NodeId>(mesh.points.size(), NodeId(0))) {}
+               IdVector<NodeId, NodeId>(mesh.points.size(), NodeId(0)), quality) {}
 
     /// What is wrong with the mesh as it stands, or changed of its extent; empty if nothing.
     [[nodiscard]] std::string complaint() const {
@@ -85,15 +85,19 @@ struct Bench {
 
     [[nodiscard]] std::size_t nodes() const { return unit.edit.compact().mesh.points.size(); }
 
-    [[nodiscard]] double worst() const {
-        double q = 1;
+    [[nodiscard]] double worst() const { return qualities().empty() ? 1 : qualities().front(); }
+
+    /// Of all elements, ascending.
+    [[nodiscard]] std::vector<float> qualities() const {
+        std::vector<float> set;
         for (std::size_t i = 0; i < unit.edit.slot_count(); ++i) {
             const ElementId e(i);
             if (!unit.edit.is_free(e) && !unit.edit.is_ghost(e)) {
-                q = std::min(q, static_cast<double>(unit.edit.element(e).measure));
+                set.push_back(unit.edit.element(e).measure);
             }
         }
-        return q;
+        std::sort(set.begin(), set.end());
+        return set;
     }
 };
 

@@ -19,7 +19,8 @@ template <int D>
 using Corners = std::array<Vec<D>, D + 1>;
 
 template <int D>
-double quality_in(const Corners<D>& points, const MetricField<D>& target) {
+double quality_in(const Corners<D>& points, const MetricField<D>& target,
+                  Quality quality = Quality::original) {
     Mesh<D> mesh;
     Simplex<D> s;
     for (int i = 0; i <= D; ++i) {
@@ -30,7 +31,7 @@ double quality_in(const Corners<D>& points, const MetricField<D>& target) {
     mesh.region.push_back(1);
     shapes::add_boundary(mesh);
     const EditMesh<D> edit(mesh, classify_geometry(mesh));
-    return metric_quality(edit, make_root_field(target), s);
+    return metric_quality(edit, make_root_field(target), s, quality);
 }
 
 template <int D>
@@ -158,6 +159,57 @@ void compare_with_eigenvalues() {
     }
 }
 
+/// The three functions of one element: none is above the one with a factor less, all are 1 for the
+/// regular element of unit size, and the shape alone knows no sizes.
+template <int D>
+void choose_quality() {
+    std::mt19937 random(7);
+    const auto target = isotropic<D>(D + 1, 1);
+    for (int n = 0; n < 200; ++n) {
+        Corners<D> x = reference::stretched_simplex<D>(random, 1 + n % 5);
+        const double shape = quality_in<D>(x, target, Quality::shape);
+        const double original = quality_in<D>(x, target, Quality::original);
+        const double modified = quality_in<D>(x, target, Quality::modified);
+        QCOMPARE_GT(modified, 0.0);
+        QCOMPARE_LE(modified, original);
+        QCOMPARE_LE(original, shape);
+        QCOMPARE_LE(shape, 1 + 1e-14);
+        QCOMPARE_LE(std::abs(modified - qualities_in<D>(x, target).modified), 1e-12 * modified);
+        for (Vec<D>& p : x) {
+            p *= 3;
+        }
+        QCOMPARE_LE(std::abs(quality_in<D>(x, target, Quality::shape) - shape), 1e-12);
+    }
+    const Corners<D> regular = mapped_regular<D>(Mat<D>::Identity());
+    for (const Quality quality : all_qualities) {
+        QCOMPARE_LE(std::abs(quality_in<D>(regular, target, quality) - 1), 1e-14);
+        QVERIFY(quality_from_name(name(quality)) == quality);
+    }
+    QVERIFY(!quality_from_name("nice"));
+}
+
+/// An edge that is too long beside one that is too short: the mean does not see it, section 4.4
+/// does.
+void stretch_at_constant_mean() {
+    const auto target = isotropic<2>(3, 1);
+    const Corners<2> x{Vec<2>(0, 0), Vec<2>(1.3, 0), Vec<2>(0.2, 0.6)};
+    double squares = 0, worst = 1;
+    for (const auto& [i, j] : SimplexNumbering<2>::edges) {
+        const double s = (x[i] - x[j]).squaredNorm();
+        squares += s / 3;
+        worst = std::min({worst, s, 1 / s});
+    }
+    const double volume = 1.3 * 0.6 / std::sqrt(0.75);
+    const double shape = volume / squares;
+    QCOMPARE_LE(std::abs(quality_in<2>(x, target, Quality::shape) - shape), 1e-14);
+    QCOMPARE_LE(std::abs(quality_in<2>(x, target, Quality::original) -
+                         shape * std::min(squares, 1 / squares)),
+                1e-14);
+    QCOMPARE_LE(std::abs(quality_in<2>(x, target, Quality::modified) -
+                         shape * worst * std::min(volume, 1 / volume)),
+                1e-14);
+}
+
 } // namespace
 
 class MetricQualityTest : public QObject {
@@ -166,6 +218,8 @@ private slots:
     void is_one_for_the_asked_size_and_falls_with_size_and_shape();
     void is_one_for_stretched_elements_in_their_own_metric();
     void agrees_with_eigenvalues_and_does_not_see_rotations();
+    void more_factors_make_it_smaller_and_the_shape_sees_no_size();
+    void each_function_is_its_formula();
 };
 
 void MetricQualityTest::is_one_for_the_asked_size_and_falls_with_size_and_shape() {
@@ -181,6 +235,15 @@ void MetricQualityTest::is_one_for_stretched_elements_in_their_own_metric() {
 void MetricQualityTest::agrees_with_eigenvalues_and_does_not_see_rotations() {
     compare_with_eigenvalues<2>();
     compare_with_eigenvalues<3>();
+}
+
+void MetricQualityTest::more_factors_make_it_smaller_and_the_shape_sees_no_size() {
+    choose_quality<2>();
+    choose_quality<3>();
+}
+
+void MetricQualityTest::each_function_is_its_formula() {
+    stretch_at_constant_mean();
 }
 
 QTEST_APPLESS_MAIN(MetricQualityTest)
