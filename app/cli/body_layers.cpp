@@ -46,6 +46,14 @@ void show(const SurfaceLayers& made, const std::string& output, Session& session
     const auto nodes = static_cast<std::int64_t>(made.mesh.points.size());
     const auto tets = static_cast<std::int64_t>(made.mesh.elements.size());
     if (session.json) {
+        Json shrunk = Json::array(), collapsed = Json::array(); // wall nodes keep their numbers
+        for (const NodeId v : made.share.ids()) {
+            if (made.share[v] == 0) {
+                collapsed.push_back(v.value());
+            } else if (made.share[v] < 1) {
+                shrunk.push_back({v.value(), made.share[v]});
+            }
+        }
         session.out << Json{{"case", "layer"},
                             {"file", output},
                             {"dimension", 3},
@@ -57,6 +65,8 @@ void show(const SurfaceLayers& made, const std::string& output, Session& session
                             {"columns", made.columns},
                             {"shrunk_columns", made.shrunk},
                             {"collapsed_columns", made.collapsed},
+                            {"shrunk", shrunk},
+                            {"collapsed", collapsed},
                             {"least_share", made.least_share},
                             {"least_share_at", {made.at[0], made.at[1], made.at[2]}},
                             {"layer_height", made.height}}

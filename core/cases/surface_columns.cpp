@@ -93,14 +93,15 @@ void respect_gaps(SurfaceColumns& columns, const Mesh<3>& surface) {
     });
 }
 
-/// Faces whose prisms have a tet that is not positive, or whose top turns too far.
+/// Those of the faces whose prisms have a tet that is not positive, or whose top turns too far.
 std::vector<FaceId> folded_prisms(const SurfaceColumns& columns, const Mesh<3>& surface,
-                                  const std::vector<std::uint64_t>& rank) {
+                                  const std::vector<std::uint64_t>& rank,
+                                  const std::vector<FaceId>& asked) {
     const std::size_t layers = columns.distance.size() - 1;
-    std::vector<char> folded(surface.faces.size());
-    parallel_for(surface.faces.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<char> folded(asked.size());
+    parallel_for(asked.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Facet<3>& f = surface.faces[FaceId(i)];
+            const Facet<3>& f = surface.faces[asked[i]];
             const auto is_flat = [&](const std::array<PrismCorner, 4>& s) {
                 for (const PrismCorner& c : s) { // a column of no height has one node
                     const NodeId v(c.column);
@@ -139,7 +140,7 @@ std::vector<FaceId> folded_prisms(const SurfaceColumns& columns, const Mesh<3>& 
     std::vector<FaceId> faces;
     for (std::size_t i = 0; i < folded.size(); ++i) {
         if (folded[i] != 0) {
-            faces.push_back(FaceId(i));
+            faces.push_back(asked[i]);
         }
     }
     return faces;
@@ -177,25 +178,38 @@ std::vector<FaceId> crossing_prisms(const SurfaceColumns& columns, const Mesh<3>
     return faces;
 }
 
-/// Halves the columns of these faces. \return whether one was left to be halved
-bool shorten(SurfaceColumns& columns, const Mesh<3>& surface, const std::vector<FaceId>& faces) {
+/// Halves the longest columns of each of these faces: a short one beside them is not what folds it.
+/// \return all faces at a column that was shortened; none if there was none left
+std::vector<FaceId> shorten(SurfaceColumns& columns, const Mesh<3>& surface,
+                            const std::vector<FaceId>& faces) {
+    constexpr double among_the_longest = 0.7;
+    const auto length = [&](NodeId v) { return columns.share[v] * columns.step[v].norm(); };
     std::vector<bool> chosen(surface.points.size());
     for (const FaceId f : faces) {
+        const auto& [a, b, c] = surface.faces[f];
+        const double longest = std::max({length(a), length(b), length(c)});
         for (const NodeId v : surface.faces[f]) {
-            chosen[v.index()] = true;
+            if (longest > 0 && length(v) >= among_the_longest * longest) {
+                chosen[v.index()] = true;
+            }
         }
     }
-    bool any = false;
     for (const NodeId v : surface.points.ids()) {
-        if (chosen[v.index()] && !columns.collapsed(v)) {
-            any = true;
+        if (chosen[v.index()]) {
             columns.share[v] *= 0.5;
             if (columns.share[v] < least_share) {
                 columns.share[v] = 0;
             }
         }
     }
-    return any;
+    std::vector<FaceId> changed;
+    for (const FaceId f : surface.faces.ids()) {
+        const Facet<3>& n = surface.faces[f];
+        if (std::any_of(n.begin(), n.end(), [&](NodeId v) { return chosen[v.index()]; })) {
+            changed.push_back(f);
+        }
+    }
+    return changed;
 }
 
 SurfaceColumns full_columns(const Mesh<3>& surface, const SurfaceLayerOptions& options) {
@@ -236,22 +250,26 @@ SurfaceColumns find_columns(const Mesh<3>& surface, const SurfaceLayerOptions& o
     SurfaceColumns columns = full_columns(surface, options);
     respect_gaps(columns, surface);
     const std::vector<std::uint64_t> rank = column_ranks(surface, options);
-    // Every round shortens a column or ends; a column can be halved ten times.
-    constexpr int most_rounds = 60;
+    std::vector<FaceId> asked;
+    for (const FaceId f : surface.faces.ids()) {
+        asked.push_back(f);
+    }
+    // Every round shortens columns, each of which can be halved ten times, or ends.
+    constexpr int most_rounds = 500;
     for (int round = 0; round < most_rounds; ++round) {
         if (monitor.stop_requested()) {
             throw Cancelled();
         }
-        monitor.progress(static_cast<double>(round) / most_rounds, "keeping columns apart");
-        const std::vector<FaceId> folded = folded_prisms(columns, surface, rank);
-        if (!folded.empty() && shorten(columns, surface, folded)) {
-            continue;
+        monitor.progress(1 - std::pow(0.9, round), "keeping columns apart");
+        std::vector<FaceId> wrong = folded_prisms(columns, surface, rank, asked);
+        if (wrong.empty()) {
+            wrong = crossing_prisms(columns, surface);
+            if (wrong.empty()) {
+                return columns;
+            }
         }
-        const std::vector<FaceId> crossing = crossing_prisms(columns, surface);
-        if (crossing.empty() && folded.empty()) {
-            return columns;
-        }
-        if (!shorten(columns, surface, crossing)) {
+        asked = shorten(columns, surface, wrong);
+        if (asked.empty()) {
             break;
         }
     }

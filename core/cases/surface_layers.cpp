@@ -111,6 +111,7 @@ void add_space(Mesh<3>& mesh, const Mesh<3>& beyond, const ColumnNodes& node, st
 void count_columns(const SurfaceColumns& columns, const Mesh<3>& surface, SurfaceLayers& result) {
     result.columns = static_cast<std::int64_t>(surface.points.size());
     result.height = columns.distance.back();
+    result.share = columns.share;
     for (const NodeId v : surface.points.ids()) {
         result.collapsed += columns.collapsed(v) ? 1 : 0;
         result.shrunk += columns.share[v] > 0 && columns.share[v] < 1 ? 1 : 0;

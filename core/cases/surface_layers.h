@@ -26,8 +26,9 @@ struct SurfaceLayerOptions {
 struct SurfaceLayers {
     Mesh<3> mesh; ///< valid; wall nodes first, in the order of the surface
     std::int64_t columns = 0;
-    std::int64_t shrunk = 0;    ///< of a smaller height than asked for
-    std::int64_t collapsed = 0; ///< without any layers
+    IdVector<NodeId, double> share; ///< [columns] height over what was asked for [-]; 0: no layers
+    std::int64_t shrunk = 0;        ///< of a smaller height than asked for
+    std::int64_t collapsed = 0;     ///< without any layers
     double least_share = 1;     ///< smallest height of a column that has one, over what was asked
     Vec<3> at = Vec<3>::Zero(); ///< foot of that column
     double height = 0;          ///< of all layers together [L]
