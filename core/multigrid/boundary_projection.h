@@ -3,8 +3,8 @@
 /// The point of a mesh's boundary nearest to a given point, patch by patch.
 #pragma once
 
-#include "core/mesh/mesh.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/mesh.h"
 
 #include <array>
 #include <map>

@@ -12,9 +12,9 @@
 #undef terminatetetgen
 #undef REAL
 
-// As Debian ships it, TetGen 1.5.0 ends on an error by freeing its mesh and throwing, and the mesh is
-// then freed again, which crashes. Our definition takes the place of the library's weak one; where
-// it does not (a module that hides its symbols), the child crashes, and is reported.
+// As Debian ships it, TetGen 1.5.0 ends on an error by freeing its mesh and throwing, and the mesh
+// is then freed again, which crashes. Our definition takes the place of the library's weak one;
+// where it does not (a module that hides its symbols), the child crashes, and is reported.
 __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh* mesh, int code);
 void terminatetetgen(tetgenmesh*, int code) {
     throw code;
