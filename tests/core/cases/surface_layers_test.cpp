@@ -196,22 +196,22 @@ void SurfaceLayersTest::patches_of_the_body_are_kept() {
 
 void SurfaceLayersTest::refuses_what_it_cannot_do() {
     const Mesh<3> good = surfaces::cube(2);
-    QVERIFY_EXCEPTION_THROWN((void)make_surface_layers(good, options_with(0, 1.2, 3), "a"),
-                             UsageError);
-    QVERIFY_EXCEPTION_THROWN((void)make_surface_layers(good, options_with(1e-3, 0.9, 3), "a"),
-                             UsageError);
-    QVERIFY_EXCEPTION_THROWN((void)make_surface_layers(good, options_with(1e-3, 1.2, 0), "a"),
-                             UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError,
+                             (void)make_surface_layers(good, options_with(0, 1.2, 3), "a"));
+    QVERIFY_THROWS_EXCEPTION(UsageError,
+                             (void)make_surface_layers(good, options_with(1e-3, 0.9, 3), "a"));
+    QVERIFY_THROWS_EXCEPTION(UsageError,
+                             (void)make_surface_layers(good, options_with(1e-3, 1.2, 0), "a"));
     Mesh<3> inwards = good;
     for (const FaceId f : inwards.faces.ids()) {
         surfaces::turn(inwards, f);
     }
-    QVERIFY_EXCEPTION_THROWN((void)make_surface_layers(inwards, options_with(1e-3, 1.2, 3), "a"),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             (void)make_surface_layers(inwards, options_with(1e-3, 1.2, 3), "a"));
     Mesh<3> open = good;
     surfaces::remove_face(open, FaceId(0));
-    QVERIFY_EXCEPTION_THROWN((void)make_surface_layers(open, options_with(1e-3, 1.2, 3), "a"),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             (void)make_surface_layers(open, options_with(1e-3, 1.2, 3), "a"));
 }
 
 QTEST_APPLESS_MAIN(SurfaceLayersTest)

@@ -77,8 +77,8 @@ void FarfieldTest::a_word_names_it() {
 
 void FarfieldTest::must_hold_the_body() {
     const Mesh<3> body = surfaces::cube(1); // corners are 0.87 from its middle
-    QVERIFY_EXCEPTION_THROWN((void)make_farfield(farfield_from("sphere:0.8"), body, 1), UsageError);
-    QVERIFY_EXCEPTION_THROWN((void)make_farfield(farfield_from("box:0.5"), body, 1), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, (void)make_farfield(farfield_from("sphere:0.8"), body, 1));
+    QVERIFY_THROWS_EXCEPTION(UsageError, (void)make_farfield(farfield_from("box:0.5"), body, 1));
     QVERIFY(!make_farfield(farfield_from("box:0.51"), body, 1).faces.empty());
 }
 

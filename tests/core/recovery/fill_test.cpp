@@ -153,7 +153,7 @@ void FillTest::fills_a_part_with_a_region_of_its_own() {
         QCOMPARE(fill.mesh.region[e], x.norm() < 1 ? 9 : 4);
     }
     options.recovery.regions = {{{50, 0, 0}, 4, 0}};
-    QVERIFY_EXCEPTION_THROWN((void)fill_surface(surface, options, "a.stl"), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, (void)fill_surface(surface, options, "a.stl"));
 }
 
 void FillTest::a_size_makes_tets_of_that_size() {
@@ -225,11 +225,11 @@ void FillTest::the_same_surface_gives_the_same_mesh() {
 void FillTest::refuses_what_bounds_no_volume() {
     Mesh<3> surface = surfaces::cube(2);
     surfaces::remove_face(surface, FaceId(3));
-    QVERIFY_EXCEPTION_THROWN((void)fill_surface(surface, {}, "a.stl"), InputError);
-    QVERIFY_EXCEPTION_THROWN(
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)fill_surface(surface, {}, "a.stl"));
+    QVERIFY_THROWS_EXCEPTION(
+        InputError,
         (void)fill_surface(surfaces::both(surfaces::sphere(4), surfaces::sphere(4, 1, {1, 0.1, 0})),
-                           {}, "a.stl"),
-        InputError);
+                           {}, "a.stl"));
 }
 
 void FillTest::names_the_faces_that_tetgen_refuses() {
@@ -246,15 +246,15 @@ void FillTest::names_the_faces_that_tetgen_refuses() {
     }
     Mesh<3> broken = surfaces::cube(2);
     broken.points[NodeId(3)][1] = std::numeric_limits<double>::quiet_NaN();
-    QVERIFY_EXCEPTION_THROWN((void)recover_boundary(broken, {}, "a.stl"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)recover_boundary(broken, {}, "a.stl"));
 }
 
 void FillTest::a_stop_is_obeyed() {
     FillOptions options;
     options.recovery.size = 0.003; // would take minutes
     Stopped monitor;
-    QVERIFY_EXCEPTION_THROWN((void)fill_surface(surfaces::cube(2), options, "a.stl", monitor),
-                             Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled,
+                             (void)fill_surface(surfaces::cube(2), options, "a.stl", monitor));
 }
 
 QTEST_APPLESS_MAIN(FillTest)

@@ -118,7 +118,7 @@ void SurfaceNormalsTest::refuses_a_surface_that_is_none() {
     mesh.points.push_back({2, 2, 2});
     surfaces::add_face(
         mesh, {mesh.faces[FaceId(0)][0], mesh.faces[FaceId(0)][1], NodeId(mesh.points.size() - 1)});
-    QVERIFY_EXCEPTION_THROWN(HalfEdges{mesh}, InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, HalfEdges{mesh});
 }
 
 QTEST_APPLESS_MAIN(SurfaceNormalsTest)

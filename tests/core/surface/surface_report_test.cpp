@@ -222,13 +222,13 @@ void SurfaceReportTest::lists_every_place() {
 }
 
 void SurfaceReportTest::refuses_numbers_that_make_no_sense() {
-    QVERIFY_EXCEPTION_THROWN((void)inspect_surface(Mesh<3>()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)inspect_surface(Mesh<3>()));
     Mesh<3> mesh = surfaces::cube(2);
     mesh.faces[FaceId(0)][1] = NodeId(1000);
-    QVERIFY_EXCEPTION_THROWN((void)inspect_surface(mesh), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)inspect_surface(mesh));
     mesh = surfaces::cube(2);
     mesh.points[mesh.faces[FaceId(0)][1]][2] = std::numeric_limits<double>::quiet_NaN();
-    QVERIFY_EXCEPTION_THROWN((void)inspect_surface(mesh), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)inspect_surface(mesh));
 }
 
 void SurfaceReportTest::finds_the_same_intersections_as_brute_force() {
