@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/rebuild.h"
 #include "core/coarsen/target_ratio.h"
 #include "core/metric/complexity.h"
 
@@ -95,6 +96,10 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
     return s;
 }
 
+void say_that_rebuilding_failed(const Error& error, Monitor& monitor) {
+    monitor.message(Severity::warning, std::string("not rebuilt: ") + error.what());
+}
+
 template <int D>
 Level<D> next_level(const Level<D>& fine, int number, const HierarchyOptions& options,
                     CoarsenReport& report, Monitor& monitor) {
@@ -105,6 +110,17 @@ Level<D> next_level(const Level<D>& fine, int number, const HierarchyOptions& op
     if (!options.factors.empty()) {
         const auto level = static_cast<std::size_t>(number) - 1;
         coarsening.target.factor = options.factors[std::min(level, options.factors.size() - 1)];
+    }
+    if constexpr (D == 3) {
+        if (options.rebuild) {
+            try {
+                return rebuild_level(fine, coarsening, report, monitor);
+            } catch (const InputError& error) { // of TetGen
+                say_that_rebuilding_failed(error, monitor);
+            } catch (const CheckFailed& error) {
+                say_that_rebuilding_failed(error, monitor);
+            }
+        }
     }
     return coarsen(fine, coarsening, report, monitor);
 }

@@ -51,6 +51,7 @@ struct Recovery {
 [[nodiscard]] bool can_recover();
 
 /// Fills the volume bounded by the faces of `surface` with tets (Si, TetGen, ACM TOMS 41, 2015).
+/// Nodes that no face uses must lie in the volume, and become nodes of the mesh.
 ///
 /// The surface must be sound (surface/surface_report.h) and its normals must point out of the
 /// volume, except at faces between two regions. TetGen works in a child process: whatever it does

@@ -120,6 +120,20 @@ Vec<3> point_inside(const Mesh<3>& surface, const IdVector<FaceId, int>& part_of
     return point;
 }
 
+std::vector<Vec<3>> points_in_cavities(const Mesh<3>& surface) {
+    const SurfaceReport report = inspect_surface(surface, false);
+    const std::vector<bool> closed(report.parts.size(), true);
+    const std::vector<int> depth =
+        nesting_depths(surface, SurfaceTree(surface), report.part_of, closed);
+    std::vector<Vec<3>> points;
+    for (std::size_t part = 0; part < depth.size(); ++part) {
+        if (depth[part] % 2 == 1) {
+            points.push_back(point_inside(surface, report.part_of, static_cast<int>(part)));
+        }
+    }
+    return points;
+}
+
 Fill fill_surface(const Mesh<3>& surface, const FillOptions& options, const std::string& name,
                   Monitor& monitor) {
     Mesh<3> whole = surface;

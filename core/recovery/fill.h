@@ -39,4 +39,9 @@ struct Fill {
 [[nodiscard]] Vec<3> point_inside(const Mesh<3>& surface, const IdVector<FaceId, int>& part_of,
                                   int part);
 
+/// A point in each part of space inside a sound surface that its volume leaves out: cavities whose
+/// walls are directly inside an outer part, and so on.
+/// \throws InputError  as `point_inside`
+[[nodiscard]] std::vector<Vec<3>> points_in_cavities(const Mesh<3>& surface);
+
 } // namespace ameco

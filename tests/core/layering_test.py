@@ -21,6 +21,8 @@ MAY_INCLUDE["io"] = {"base", "geometry", "mesh", "metric"}
 MAY_INCLUDE["cases"] = {"base", "geometry", "mesh", "metric", "surface", "recovery"}
 MAY_INCLUDE["surface"] = {"base", "geometry", "mesh"}
 MAY_INCLUDE["recovery"] = {"base", "geometry", "mesh", "surface"}
+# A level can be made anew from its surface.
+MAY_INCLUDE["coarsen"] |= {"surface", "recovery"}
 # A hierarchy is a folder of files.
 MAY_INCLUDE["hierarchy"].add("io")
 MAY_INCLUDE["multigrid"].add("io")
