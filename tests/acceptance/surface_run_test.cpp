@@ -22,6 +22,7 @@ private slots:
     void fill_leaves_nothing_behind_when_it_fails();
     void layers_grow_on_a_surface();
     void layers_on_a_sharp_body_are_shortened_or_left_out();
+    void levels_are_rebuilt();
     void wrong_usage_is_explained_data();
     void wrong_usage_is_explained();
     void the_wing_is_filled_again();
@@ -253,6 +254,27 @@ void SurfaceRunTest::layers_on_a_sharp_body_are_shortened_or_left_out() {
                      "--layers", "5", "--farfield", "box:9", "-o", "high.meshb"});
     QVERIFY2(run.code == 0, run.text());
     QCOMPARE(here_.ameco({"check", "high.meshb", "--strict"}).code, 0);
+}
+
+void SurfaceRunTest::levels_are_rebuilt() {
+    if (!has_tetgen()) {
+        QSKIP("built without TetGen");
+    }
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "8", "--displace", "0.2", "-o", "c8.meshb"}).code,
+             0);
+    const Run run = here_.ameco(
+        {"coarsen", "c8.meshb", "-o", "rebuilt", "--levels", "2", "--rebuild", "tetgen"});
+    QVERIFY2(run.code == 0 && !run.err.contains("warning"), run.text());
+    QCOMPARE(broken_part_of(here_, "rebuilt"), QString());
+    QVERIFY(here_.content("rebuilt/hierarchy.json").contains("\"rebuild\": \"tetgen\""));
+    QCOMPARE(here_.ameco({"case", "cube", "--dim", "2", "-o", "flat.mesh"}).code, 0);
+    for (const QStringList& more :
+         {QStringList{"c8.meshb", "--factor", "4"}, QStringList{"c8.meshb", "--target-ratio", "3"},
+          QStringList{"flat.mesh"}}) {
+        const Run refused = here_.ameco(
+            QStringList{"coarsen", "-o", "no" + more.last(), "--rebuild", "tetgen"} + more);
+        QVERIFY2(refused.code == 2 && refused.err.contains("--rebuild: "), refused.text());
+    }
 }
 
 void SurfaceRunTest::wrong_usage_is_explained_data() {
