@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <new>
 #include <regex>
 #include <set>
@@ -96,33 +97,60 @@ TetgenMesh unpacked(const std::string& bytes) {
 
 // --- words ---------------------------------------------------------------------------------------
 
-/// The given faces that TetGen's text names: "#5" is the marker of face 4.
-std::set<int> named_faces(const std::string& text, std::size_t face_count) {
-    static const std::regex marker("#([0-9]{1,9})|\\] ([0-9]{1,9})\\.");
+/// What TetGen's text names: nodes in brackets, two for an edge, three for a face, with the marker
+/// of the facet behind them: "[141, 142] 1", "[240,244,241] 453", "[1, 2, 3] #7".
+struct NamedPlaces {
     std::set<int> faces;
-    for (auto m = std::sregex_iterator(text.begin(), text.end(), marker);
+    std::set<Edge> edges;
+};
+
+NamedPlaces named_places(const std::string& text, const Mesh<3>& surface) {
+    static const std::regex place("\\[\\s*([0-9]{1,9})\\s*,\\s*([0-9]{1,9})\\s*"
+                                  "(?:,\\s*([0-9]{1,9})\\s*)?\\]\\s*#?([0-9]{1,9})?");
+    std::map<Facet<3>, FaceId> by_nodes;
+    for (const FaceId f : surface.faces.ids()) {
+        by_nodes[sorted(surface.faces[f])] = f;
+    }
+    NamedPlaces named;
+    for (auto m = std::sregex_iterator(text.begin(), text.end(), place);
          m != std::sregex_iterator(); ++m) {
-        const std::string& digits = (*m)[1].matched ? (*m)[1].str() : (*m)[2].str();
-        const int face = std::stoi(digits) - 1;
-        if (face >= 0 && static_cast<std::size_t>(face) < face_count) {
-            faces.insert(face);
+        const auto number = [&](std::size_t group) { return std::stoi((*m)[group].str()); };
+        const NodeId a(number(1)), b(number(2));
+        if (!(*m)[3].matched) {
+            if (std::max(a, b).index() < surface.points.size()) {
+                named.edges.insert(sorted(Edge{a, b}));
+            }
+            continue;
+        }
+        const auto face = by_nodes.find(sorted(Facet<3>{a, b, NodeId(number(3))}));
+        if (face != by_nodes.end()) {
+            named.faces.insert(face->second.value());
+        } else if ((*m)[4].matched && number(4) >= 1 &&
+                   static_cast<std::size_t>(number(4)) <= surface.faces.size()) {
+            named.faces.insert(number(4) - 1); // a piece of it
         }
     }
-    return faces;
+    return named;
 }
 
-std::string place_text(const std::string& output, std::size_t face_count) {
-    const std::set<int> faces = named_faces(output, face_count);
+std::string place_text(const std::string& output, const Mesh<3>& surface) {
+    constexpr int most = 8;
+    const NamedPlaces named = named_places(output, surface);
     std::string list;
     int shown = 0;
-    for (const int f : faces) {
-        if (++shown > 8) {
-            list += ", ...";
-            break;
+    const auto add = [&](const std::string& what) {
+        if (shown < most) {
+            list += (shown == 0 ? "" : ", ") + what;
         }
-        list += (list.empty() ? " " : ", ") + std::to_string(f);
+        ++shown;
+    };
+    for (const int f : named.faces) {
+        add("face " + std::to_string(f));
     }
-    return faces.empty() ? "" : "; it names face" + std::string(faces.size() > 1 ? "s" : "") + list;
+    for (const Edge& e : named.edges) {
+        add("edge " + std::to_string(e[0].value()) + "-" + std::to_string(e[1].value()));
+    }
+    return list.empty() ? "" : "; it names " + list + (shown > most ? ", ..." : "");
 }
 
 std::string meaning_of(int code) {
@@ -155,7 +183,7 @@ TetgenMesh try_switches(const Mesh<3>& surface, const RecoveryOptions& options,
     if (!outcome.started) {
         throw Error(ExitCode::memory, name + ": there is no process to be had for TetGen");
     }
-    const std::string place = place_text(outcome.output, surface.faces.size());
+    const std::string place = place_text(outcome.output, surface);
     if (outcome.signal == SIGKILL || (outcome.survived && outcome.result.front() == 'o')) {
         throw Error(ExitCode::memory, name + ": not enough memory to fill it");
     }
