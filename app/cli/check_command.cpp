@@ -141,7 +141,7 @@ private:
         session.monitor.progress(0.5, "measuring");
         v.natural = conformity(mesh, nodal_metric(mesh, CoarsenOptions{}.mean));
         if (!metric_.empty()) {
-            v.given = conformity(mesh, given_metric(mesh));
+            v.given = conformity(mesh, load_metric(metric_, mesh, mesh_));
         }
         return v;
     }
@@ -154,21 +154,6 @@ private:
         v.faces = static_cast<std::int64_t>(mesh.faces.size());
         v.report = check_surface(mesh);
         return v;
-    }
-
-    template <int D>
-    MetricField<D> given_metric(const Mesh<D>& mesh) const {
-        MetricFile file = read_metric(metric_);
-        auto* const field = std::get_if<MetricField<D>>(&file.field);
-        if (field == nullptr || field->size() != mesh.points.size()) {
-            const std::size_t count =
-                std::visit([](const auto& f) { return f.size(); }, file.field);
-            throw InputError(metric_ + ": has " + std::to_string(count) + " tensors" +
-                             (field == nullptr ? " of another dimension" : "") + ", but " + mesh_ +
-                             " has " + std::to_string(mesh.points.size()) +
-                             " nodes: give the metric that was made for this mesh");
-        }
-        return std::move(*field);
     }
 
     std::string mesh_;

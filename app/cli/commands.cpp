@@ -10,6 +10,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
     commands.push_back(make_surface_command());
     commands.push_back(make_metric_command());
     commands.push_back(make_coarsen_command());
+    commands.push_back(make_remesh_command());
     commands.push_back(make_fill_command());
     commands.push_back(make_transfer_command());
     commands.push_back(make_multigrid_command());

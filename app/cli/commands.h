@@ -12,6 +12,7 @@ namespace ameco::cli {
 [[nodiscard]] std::unique_ptr<Command> make_surface_command();
 [[nodiscard]] std::unique_ptr<Command> make_metric_command();
 [[nodiscard]] std::unique_ptr<Command> make_coarsen_command();
+[[nodiscard]] std::unique_ptr<Command> make_remesh_command();
 [[nodiscard]] std::unique_ptr<Command> make_fill_command();
 [[nodiscard]] std::unique_ptr<Command> make_transfer_command();
 [[nodiscard]] std::unique_ptr<Command> make_multigrid_command();

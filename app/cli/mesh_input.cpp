@@ -25,24 +25,64 @@ MeshFile load_mesh(const fs::path& path, Session& session, const ReadOptions& op
     return file;
 }
 
+template <int D>
+BoundaryRepair make_valid(Mesh<D>& mesh, const fs::path& path, double ridge_angle_deg,
+                          Session& session) {
+    BoundaryRepair repair = complete_boundary(mesh, ridge_angle_deg);
+    for (const std::string& remark : repair_remarks(repair)) {
+        session.monitor.message(Severity::info, path.string() + ": " + remark);
+    }
+    session.monitor.progress(0, "checking " + path.filename().string());
+    const CheckReport report = check(mesh);
+    if (!report.valid()) {
+        throw InputError(path.string() + ": not a valid mesh: " + report.summary() +
+                         " (ameco check " + path.string() + " lists everything)");
+    }
+    return repair;
+}
+
+template BoundaryRepair make_valid(Mesh<2>&, const fs::path&, double, Session&);
+template BoundaryRepair make_valid(Mesh<3>&, const fs::path&, double, Session&);
+
 ReadyMesh load_valid_mesh(const fs::path& path, double ridge_angle_deg, Session& session) {
     ReadyMesh ready{load_mesh(path, session), {}};
-    std::visit(
-        [&](auto& mesh) {
-            ready.repair = complete_boundary(mesh, ridge_angle_deg);
-            for (const std::string& remark : repair_remarks(ready.repair)) {
-                session.monitor.message(Severity::info, path.string() + ": " + remark);
-            }
-            session.monitor.progress(0, "checking " + path.filename().string());
-            const CheckReport report = check(mesh);
-            if (!report.valid()) {
-                throw InputError(path.string() + ": not a valid mesh: " + report.summary() +
-                                 " (ameco check " + path.string() + " lists everything)");
-            }
-        },
-        ready.file.mesh);
+    ready.repair =
+        std::visit([&](auto& mesh) { return make_valid(mesh, path, ridge_angle_deg, session); },
+                   ready.file.mesh);
     return ready;
 }
+
+template <int D>
+std::vector<bool> used_nodes(const Mesh<D>& mesh) {
+    std::vector<bool> used(mesh.points.size());
+    for (const Simplex<D>& element : mesh.elements) {
+        for (const NodeId node : element) {
+            used[node.index()] = true;
+        }
+    }
+    return used;
+}
+
+template std::vector<bool> used_nodes(const Mesh<2>&);
+template std::vector<bool> used_nodes(const Mesh<3>&);
+
+template <int D>
+MetricField<D> load_metric(const fs::path& path, const Mesh<D>& mesh,
+                           const std::string& mesh_name) {
+    MetricFile file = read_metric(path);
+    auto* const field = std::get_if<MetricField<D>>(&file.field);
+    if (field == nullptr || field->size() != mesh.points.size()) {
+        const std::size_t count = std::visit([](const auto& f) { return f.size(); }, file.field);
+        throw InputError(path.string() + ": has " + std::to_string(count) + " tensors" +
+                         (field == nullptr ? " of another dimension" : "") + ", but " + mesh_name +
+                         " has " + std::to_string(mesh.points.size()) +
+                         " nodes: give the metric that was made for this mesh");
+    }
+    return std::move(*field);
+}
+
+template MetricField<2> load_metric(const fs::path&, const Mesh<2>&, const std::string&);
+template MetricField<3> load_metric(const fs::path&, const Mesh<3>&, const std::string&);
 
 std::string element_word(int dimension) {
     return dimension == 3 ? "tets" : "triangles";

@@ -23,6 +23,12 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] MeshFile load_mesh(const std::filesystem::path& path, Session& session,
                                  const ReadOptions& options = {});
 
+/// Completes the boundary of a mesh that was read, and tests it.
+/// \throws InputError when it is not valid
+template <int D>
+BoundaryRepair make_valid(Mesh<D>& mesh, const std::filesystem::path& path, double ridge_angle_deg,
+                          Session& session);
+
 /// A mesh that is ready to be computed with.
 struct ReadyMesh {
     MeshFile file;
@@ -33,6 +39,17 @@ struct ReadyMesh {
 /// \throws InputError when it is not valid
 [[nodiscard]] ReadyMesh load_valid_mesh(const std::filesystem::path& path, double ridge_angle_deg,
                                         Session& session);
+
+/// Which nodes belong to an element; the others leave the mesh when its boundary is completed.
+template <int D>
+[[nodiscard]] std::vector<bool> used_nodes(const Mesh<D>& mesh);
+
+/// Reads the metric that was made for a mesh.
+/// \param mesh_name  for the message
+/// \throws InputError when it has another dimension or number of nodes
+template <int D>
+[[nodiscard]] MetricField<D> load_metric(const std::filesystem::path& path, const Mesh<D>& mesh,
+                                         const std::string& mesh_name);
 
 /// "Tets" and "triangles": elements of D dimensions.
 [[nodiscard]] std::string element_word(int dimension);

@@ -215,17 +215,6 @@ private:
         return s;
     }
 
-    template <int D>
-    static std::vector<bool> used_nodes(const Mesh<D>& mesh) {
-        std::vector<bool> used(mesh.points.size());
-        for (const Simplex<D>& element : mesh.elements) {
-            for (const NodeId node : element) {
-                used[node.index()] = true;
-            }
-        }
-        return used;
-    }
-
     /// One metric per node of the file: `field` lacks the nodes that no element uses.
     template <int D>
     static MetricField<D> with_unused_nodes(const Mesh<D>& mesh, MetricField<D> field,

@@ -83,6 +83,7 @@ public:
     [[nodiscard]] I next_id() const { return I(data_.size()); }
 
     void push_back(T value) { data_.push_back(std::move(value)); }
+    void pop_back() { data_.pop_back(); }
     void resize(std::size_t n, const T& value = T()) { data_.resize(n, value); }
     void reserve(std::size_t n) { data_.reserve(n); }
     void assign(std::size_t n, const T& value) { data_.assign(n, value); }

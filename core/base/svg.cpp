@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace ameco::svg {
 std::string number(double value, int decimals) {
@@ -17,6 +18,14 @@ std::string short_number(double value) {
     char text[64];
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
     return {text, end.ptr};
+}
+
+std::string axis_number(double value) {
+    // What three digits round up to the next unit belongs there.
+    if (std::abs(value) >= 999'500) {
+        return short_number(value / 1e6) + "M";
+    }
+    return std::abs(value) >= 999.5 ? short_number(value / 1e3) + "k" : short_number(value);
 }
 
 std::string open(double width, double height) {

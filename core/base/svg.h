@@ -16,6 +16,8 @@ inline constexpr std::array<const char*, 8> colours{"#1f4e79", "#d95f02", "#1b9e
 [[nodiscard]] std::string number(double value, int decimals = 2);
 /// Three significant digits.
 [[nodiscard]] std::string short_number(double value);
+/// The same in little space: 5490 is 5.49k, 351000 is 351k, 2e6 is 2M.
+[[nodiscard]] std::string axis_number(double value);
 
 /// The begin of a picture on white; to be ended by "</svg>".
 [[nodiscard]] std::string open(double width, double height);

@@ -140,9 +140,9 @@ std::string histogram_svg(const std::vector<AspectRatioClasses>& levels) {
                    svg::colours[k % svg::colours.size()] + "\"/>\n";
         }
         svg += svg::text_at(x + group / 2 - 5, top + height + 16,
-                            svg::short_number(levels[0].upper(c)), "middle");
+                            svg::axis_number(levels[0].upper(c)), "middle");
         svg += svg::text_at(x + group / 2 - 5, top + height + 30,
-                            "to " + svg::short_number(std::max(1.0, levels[0].lower(c))), "middle");
+                            "to " + svg::axis_number(std::max(1.0, levels[0].lower(c))), "middle");
     }
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const double x = left + legend_step * static_cast<double>(k);

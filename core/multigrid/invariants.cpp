@@ -2,7 +2,7 @@
 #include "core/multigrid/invariants.h"
 
 #include "core/mesh/simplex.h"
-#include "core/multigrid/boundary_projection.h"
+#include "core/mesh/boundary_projection.h"
 
 #include <algorithm>
 

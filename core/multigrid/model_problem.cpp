@@ -7,7 +7,7 @@
 #include "core/mesh/adjacency.h"
 #include "core/mesh/barycentric.h"
 #include "core/mesh/simplex.h"
-#include "core/multigrid/boundary_projection.h"
+#include "core/mesh/boundary_projection.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/barycentric.h"
-#include "core/multigrid/boundary_projection.h"
+#include "core/mesh/boundary_projection.h"
 #include "core/mesh/locate.h"
 #include "core/multigrid/random_vector.h"
 

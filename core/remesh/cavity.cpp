@@ -59,16 +59,17 @@ Simplex<D> join(const Facet<D>& facet, NodeId node, NodeId ghost) {
     }
 }
 
+} // namespace
+
 template <int D>
-int orientation_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
+bool is_positive(const EditMesh<D>& mesh, const Simplex<D>& s) {
     if constexpr (D == 2) {
-        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]));
+        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2])) > 0;
     } else {
-        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]), mesh.point(s[3]));
+        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]),
+                           mesh.point(s[3])) > 0;
     }
 }
-
-} // namespace
 
 template <int D>
 void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity) {
@@ -82,6 +83,9 @@ void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity) {
 template <int D>
 void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity) {
     clear(cavity);
+    if (mesh.ball(b).size() < mesh.ball(a).size()) {
+        std::swap(a, b);
+    }
     for (const ElementId e : mesh.ball(a)) {
         if (contains(mesh.nodes(e), b)) {
             cavity.elements.push_back(e);
@@ -105,28 +109,38 @@ void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& c
 }
 
 template <int D>
-Verdict make_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star) {
+void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star) {
     star.elements.clear();
     star.sources.clear();
-    bool any_real = false;
     for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
-        if (contains(cavity.facets[i], node)) {
-            continue;
+        if (!contains(cavity.facets[i], node)) {
+            const EditElement<D>& source = mesh.element(cavity.inside[i]);
+            star.elements.push_back({join<D>(cavity.facets[i], node, mesh.ghost()), source.label,
+                                     source.measure});
+            star.sources.push_back(cavity.inside[i]);
         }
-        const EditElement<D>& source = mesh.element(cavity.inside[i]);
-        const EditElement<D> fresh{join<D>(cavity.facets[i], node, mesh.ghost()), source.label,
-                                   source.measure};
-        if (fresh.nodes[D] != mesh.ghost()) {
-            if (orientation_of(mesh, fresh.nodes) <= 0) {
+    }
+}
+
+template <int D>
+Verdict test_star(const EditMesh<D>& mesh, const Star<D>& star) {
+    bool any_real = false;
+    for (const EditElement<D>& e : star.elements) {
+        if (e.nodes[D] != mesh.ghost()) {
+            if (!is_positive(mesh, e.nodes)) {
                 return Verdict::inverts_element;
             }
             any_real = true;
         }
-        star.elements.push_back(fresh);
-        star.sources.push_back(cavity.inside[i]);
     }
     // Boundary faces alone: a part of the domain would be gone.
     return any_real ? Verdict::accepted : Verdict::inverts_element;
+}
+
+template <int D>
+Verdict make_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star) {
+    join_star(mesh, cavity, node, star);
+    return test_star(mesh, star);
 }
 
 template <int D>
@@ -158,9 +172,12 @@ double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
+    template bool is_positive(const EditMesh<D>&, const Simplex<D>&);                              \
     template void gather_ball(const EditMesh<D>&, NodeId, Cavity<D>&);                             \
     template void gather_shell(const EditMesh<D>&, NodeId, NodeId, Cavity<D>&);                    \
     template void gather_pair(const EditMesh<D>&, ElementId, ElementId, Cavity<D>&);               \
+    template void join_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);               \
+    template Verdict test_star(const EditMesh<D>&, const Star<D>&);                                \
     template Verdict make_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);            \
     template Verdict judge(const EditMesh<D>&, const SizeField<D>&, double, Star<D>&);             \
     template double worst_quality(const EditMesh<D>&, const Cavity<D>&);

@@ -41,6 +41,20 @@ void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity
 template <int D>
 void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& cavity);
 
+/// Whether the nodes of a real element stand in positive orientation; exact.
+template <int D>
+[[nodiscard]] bool is_positive(const EditMesh<D>& mesh, const Simplex<D>& element);
+
+/// Joins `node` to all facets of the cavity that do not contain it, without a look at orientations.
+template <int D>
+void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star);
+
+/// Whether a star that was joined may fill the cavity: every new element has strictly positive
+/// orientation (exact), and there is one.
+/// \return  accepted or inverts_element
+template <int D>
+[[nodiscard]] Verdict test_star(const EditMesh<D>& mesh, const Star<D>& star);
+
 /// Joins `node` to all facets of the cavity that do not contain it. Every new element must have
 /// strictly positive orientation (exact): with the ghost elements counted, the star then covers the
 /// cavity, which is the paper's principle of minimal volume (15).

@@ -54,12 +54,18 @@ Verdict propose_collapse(const EditMesh<D>& mesh, const SizeField<D>& sizes,
     // A ball inside the domain that is covered by positive elements stays one; on the boundary the
     // surface must stay a manifold too.
     if (verdict == Verdict::accepted && mesh.on_boundary(collapse.removed)) {
-        verdict = check_link(mesh, collapse.removed, collapse.kept);
-        if (verdict == Verdict::accepted) {
-            verdict = judge_surface(mesh, ball, short_size, surface, star);
-        }
+        verdict = judge_collapsed_boundary(mesh, surface, short_size, collapse, ball, star);
     }
     return verdict;
+}
+
+template <int D>
+Verdict judge_collapsed_boundary(const EditMesh<D>& mesh, const SurfaceRules& surface,
+                                 double short_size, Collapse collapse, const Cavity<D>& ball,
+                                 Star<D>& star) {
+    const Verdict verdict = check_link(mesh, collapse.removed, collapse.kept);
+    return verdict == Verdict::accepted ? judge_surface(mesh, ball, short_size, surface, star)
+                                        : verdict;
 }
 
 template <int D>
@@ -76,6 +82,8 @@ std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
     template Verdict propose_collapse(const EditMesh<D>&, const SizeField<D>&,                     \
                                       const SurfaceRules&, const QualityFloor&, double, Collapse,  \
                                       const Cavity<D>&, Star<D>&);                                 \
+    template Verdict judge_collapsed_boundary(const EditMesh<D>&, const SurfaceRules&, double,     \
+                                              Collapse, const Cavity<D>&, Star<D>&);               \
     template std::span<const ElementId> apply_collapse(EditMesh<D>&, Collapse, const Cavity<D>&,   \
                                                        const Star<D>&);
 

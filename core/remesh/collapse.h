@@ -34,6 +34,13 @@ template <int D>
                                        double short_size, Collapse collapse, const Cavity<D>& ball,
                                        Star<D>& star);
 
+/// Judges the boundary that a star of the ball of `collapse.removed`, a node of it, leaves.
+/// \param short_size  h_1 at the removed node [L]
+template <int D>
+[[nodiscard]] Verdict judge_collapsed_boundary(const EditMesh<D>& mesh, const SurfaceRules& surface,
+                                               double short_size, Collapse collapse,
+                                               const Cavity<D>& ball, Star<D>& star);
+
 /// Carries out a collapse that was accepted.
 /// \return  slots of the star's elements, until the next edit
 template <int D>

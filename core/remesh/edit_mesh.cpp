@@ -16,7 +16,7 @@ bool has_node(const Simplex<D>& s, NodeId v) {
 
 template <int D>
 EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
-    : ghost_(mesh.points.size()), points_(mesh.points), labels_(mesh.labels), class_(classes.node),
+    : points_(mesh.points), labels_(mesh.labels), class_(classes.node),
       on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names),
       features_(mesh.features) {
     elements_.reserve(mesh.elements.size() + mesh.faces.size());
@@ -199,6 +199,45 @@ void EditMesh<D>::merge_ridges(NodeId removed, NodeId kept) {
             ridges_.emplace(r.nodes, r);
         }
     }
+}
+
+template <int D>
+void EditMesh<D>::split_ridge(NodeId a, NodeId b, NodeId m) {
+    const auto it = ridges_.find(sorted(Edge{a, b}));
+    if (it == ridges_.end()) {
+        return;
+    }
+    RidgeEdge half = it->second;
+    ridges_.erase(it);
+    for (const NodeId end : {a, b}) {
+        half.nodes = sorted(Edge{end, m});
+        ridges_.emplace(half.nodes, half);
+    }
+}
+
+template <int D>
+NodeId EditMesh<D>::add_node(const Vec<D>& p, NodeClass node_class, bool on_boundary) {
+    const NodeId v = points_.next_id();
+    points_.push_back(p);
+    if (!labels_.empty()) {
+        labels_.push_back(0);
+    }
+    class_.push_back(node_class);
+    on_boundary_.push_back(on_boundary ? 1 : 0);
+    ball_.push_back({});
+    return v;
+}
+
+template <int D>
+void EditMesh<D>::drop_last_node() {
+    assert(ball_[NodeId(points_.size() - 1)].size == 0);
+    points_.pop_back();
+    if (!labels_.empty()) {
+        labels_.pop_back();
+    }
+    class_.pop_back();
+    on_boundary_.pop_back();
+    ball_.pop_back();
 }
 
 template <int D>

@@ -7,6 +7,7 @@
 #include "core/mesh/simplex.h"
 #include "core/remesh/geometry_classes.h"
 
+#include <limits>
 #include <span>
 #include <unordered_map>
 
@@ -28,8 +29,8 @@ struct EditElement {
 /// the boundary as all others. Ghost elements have the ghost as their last node; the first D nodes
 /// are the boundary face. Faces inside the domain are kept aside: their nodes are frozen.
 ///
-/// Nodes keep their ids while the mesh is edited; a removed node has an empty ball. Free element
-/// slots have no valid node.
+/// Nodes keep their ids while the mesh is edited; a removed node has an empty ball. New nodes come
+/// behind those of the mesh that was given. Free element slots have no valid node.
 template <int D>
 class EditMesh {
 public:
@@ -78,6 +79,16 @@ public:
     /// Moves the ridge edges at `removed` to `kept`, after a collapse along a ridge.
     void merge_ridges(NodeId removed, NodeId kept);
 
+    /// Puts the ridge edges a, m and m, b in the place of a, b, after m was inserted there.
+    void split_ridge(NodeId a, NodeId b, NodeId m);
+
+    /// Adds a node that no element has yet. Its ball is empty, as that of a removed one.
+    NodeId add_node(const Vec<D>& p, NodeClass node_class, bool on_boundary);
+    /// Takes back the node added last, whose ball is still empty.
+    void drop_last_node();
+    /// Moves a node; keeping the elements around it positive is the caller's matter.
+    void move_node(NodeId v, const Vec<D>& p) { points_[v] = p; }
+
     /// What is left, compacted; `parent[i]` is the id that node i had here. Nodes keep their order.
     struct Compact {
         Mesh<D> mesh;
@@ -107,7 +118,7 @@ private:
                                             const GeometryClasses<D>& classes,
                                             const Mesh<D>& mesh) const;
 
-    NodeId ghost_;
+    NodeId ghost_{std::numeric_limits<std::int32_t>::max()}; ///< in no array
     IdVector<NodeId, Vec<D>> points_;
     IdVector<NodeId, int> labels_;
     IdVector<ElementId, EditElement<D>> elements_;

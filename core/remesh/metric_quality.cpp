@@ -66,20 +66,6 @@ double edge_determinant(const std::array<Vec<3>, 4>& x) {
            a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// V diag(h) V^T, upper triangle by rows.
-template <int D>
-Tensor<D> root_of(const Metric<D>& m) {
-    const Mat<D> s = m.directions * m.sizes.asDiagonal() * m.directions.transpose();
-    Tensor<D> tensor;
-    int k = 0;
-    for (int r = 0; r < D; ++r) {
-        for (int c = r; c < D; ++c) {
-            tensor[k++] = s(r, c);
-        }
-    }
-    return tensor;
-}
-
 /// Squares of the edges' lengths and the volume over the regular simplex's, in the metric S^-2.
 template <int D>
 struct Measures {
@@ -117,6 +103,19 @@ double original_quality(const Measures<D>& m) {
 }
 
 } // namespace
+
+template <int D>
+Tensor<D> root_of(const Metric<D>& m) {
+    const Mat<D> s = m.directions * m.sizes.asDiagonal() * m.directions.transpose();
+    Tensor<D> tensor;
+    int k = 0;
+    for (int r = 0; r < D; ++r) {
+        for (int c = r; c < D; ++c) {
+            tensor[k++] = s(r, c);
+        }
+    }
+    return tensor;
+}
 
 template <int D>
 RootField<D> make_root_field(const MetricField<D>& target) {
@@ -160,10 +159,22 @@ double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
     return original_quality(measure<D>(x, mean_root<D>(root, element)));
 }
 
+template <int D>
+double metric_shape(const EditMesh<D>& mesh, const RootField<D>& root, const Simplex<D>& element) {
+    std::array<Vec<D>, D + 1> x;
+    for (int i = 0; i <= D; ++i) {
+        x[i] = mesh.point(element[i]);
+    }
+    const Measures<D> m = measure<D>(x, mean_root<D>(root, element));
+    return std::max(0.0, m.volume / (D == 2 ? m.h2 : m.h2 * std::sqrt(m.h2)));
+}
+
 #define AMECO_INSTANTIATE(D)                                                                       \
+    template Tensor<D> root_of(const Metric<D>&);                                                  \
     template RootField<D> make_root_field(const MetricField<D>&);                                  \
     template MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>&,                    \
                                               const std::array<Metric<D>, D + 1>&);                \
+    template double metric_shape(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);      \
     template double metric_quality(const EditMesh<D>&, const RootField<D>&, const Simplex<D>&);
 
 AMECO_INSTANTIATE(2)

@@ -15,6 +15,10 @@ namespace ameco {
 template <int D>
 using RootField = IdVector<NodeId, Tensor<D>>;
 
+/// S = V diag(h) V^T of one metric, upper triangle by rows [L].
+template <int D>
+[[nodiscard]] Tensor<D> root_of(const Metric<D>& metric);
+
 template <int D>
 [[nodiscard]] RootField<D> make_root_field(const MetricField<D>& target);
 
@@ -39,5 +43,10 @@ template <int D>
 template <int D>
 [[nodiscard]] double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
                                     const Simplex<D>& element);
+
+/// The shape Q_F (17) alone, in the same metric.
+template <int D>
+[[nodiscard]] double metric_shape(const EditMesh<D>& mesh, const RootField<D>& root,
+                                  const Simplex<D>& element);
 
 } // namespace ameco

@@ -4,21 +4,12 @@
 #pragma once
 
 #include "core/base/monitor.h"
-#include "core/remesh/cavity.h"
 #include "core/remesh/lines.h"
 #include "core/remesh/metric_quality.h"
 #include "core/remesh/removed_nodes.h"
-#include "core/remesh/surface_rules.h"
+#include "core/remesh/swap_search.h"
 
 namespace ameco {
-
-struct SwapOptions {
-    double below = 0.6;             ///< elements of a quality below this are tried [-]
-    double gain = 1.02;             ///< the worst quality must grow by this factor [-]
-    double size_floor = 0.1;        ///< the size quality must stay above this or not fall [-]
-    std::size_t largest_shell = 10; ///< elements around an edge that is swapped
-    int rounds = 3;
-};
 
 /// What decides about swaps beside the mesh.
 template <int D>

@@ -24,10 +24,12 @@ enum class Verdict : std::uint8_t {
     surface_distance, ///< the boundary would move too far
     breaks_line,      ///< layer elements without an edge across the layer would appear
     cavity_too_large, ///< more elements around the edge than a re-star is tried on
-    region_border     ///< elements of several regions, or a face inside the domain
+    region_border,    ///< elements of several regions, or a face inside the domain
+    short_edge,       ///< a split would leave an edge that is too short
+    long_edge         ///< a collapse would leave an edge that is too long
 };
 
-inline constexpr std::size_t verdict_count = 15;
+inline constexpr std::size_t verdict_count = 17;
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 

@@ -15,7 +15,7 @@ from pathlib import Path
 SOURCE = Path(os.environ["AMECO_SOURCE_DIR"])
 
 # Each folder of core may include itself and these. The chain, then the branches.
-CHAIN = ["base", "geometry", "mesh", "metric", "remesh", "coarsen", "hierarchy", "multigrid"]
+CHAIN = ["base", "geometry", "mesh", "metric", "remesh", "adapt", "coarsen", "hierarchy", "multigrid"]
 MAY_INCLUDE = {folder: set(CHAIN[:i]) for i, folder in enumerate(CHAIN)}
 MAY_INCLUDE["io"] = {"base", "geometry", "mesh", "metric"}
 MAY_INCLUDE["cases"] = {"base", "geometry", "mesh", "metric", "surface", "recovery"}

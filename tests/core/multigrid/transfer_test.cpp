@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/multigrid/transfer.h"
 
-#include "core/multigrid/boundary_projection.h"
+#include "core/mesh/boundary_projection.h"
 #include "core/mesh/locate.h"
 #include "tests/core/multigrid/grids.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "core/multigrid/boundary_projection.h"
+#include "core/mesh/boundary_projection.h"
 
 #include "core/mesh/facets.h"
 

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/adapt/adapt.h"
+
+#include "core/adapt/limited_metric.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+#include "core/metric/expected_nodes.h"
+#include "core/metric/nodal_metric.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ameco {
+namespace {
+
+template <int D>
+AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, AdaptReport& report) {
+    AdaptPass pass;
+    pass.collapses =
+        collapse_short_edges(mesh, options.collapse, options.surface, since, report.collapses);
+    pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+    if (!options.node_nested) {
+        pass.splits = split_long_edges(mesh, options.split, since, report.splits);
+        pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+    }
+    for (const NodeId v : mesh.edit.nodes()) {
+        pass.nodes += mesh.edit.is_removed(v) ? 0 : 1;
+    }
+    if (!options.node_nested) {
+        pass.moves = move_nodes(mesh, options.move, since, report.moves);
+    }
+    return pass;
+}
+
+/// A mesh on its way, and where its nodes lie in the background mesh.
+template <int D>
+struct Stage {
+    Mesh<D> mesh;
+    GeometryClasses<D> geometry;
+    IdVector<NodeId, NodeId> near; ///< see MetricSource::at
+    MetricField<D> target;         ///< the metric wanted at its nodes
+};
+
+template <int D>
+void set_targets(Stage<D>& stage, const MetricSource<D>& source) {
+    stage.target.resize(stage.mesh.points.size());
+    parallel_for(stage.mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const NodeId v(i);
+            stage.target[v] = source.at(stage.mesh.points[v], stage.near[v]);
+        }
+    });
+}
+
+template <int D>
+Stage<D> first_stage(const Mesh<D>& mesh, const MetricSource<D>& source,
+                     const FeatureOptions& features) {
+    Stage<D> stage{mesh, classify_geometry(mesh, features), {}, {}};
+    for (const NodeId v : mesh.points.ids()) {
+        stage.near.push_back(v);
+    }
+    set_targets(stage, source);
+    return stage;
+}
+
+/// Passes over a stage until little changes.
+template <int D>
+void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptReport& report,
+                Monitor& monitor) {
+    int since = 0;
+    for (int n = 0; n < most; ++n) {
+        monitor.progress(static_cast<double>(n) / most, "adapting");
+        if (monitor.stop_requested()) {
+            throw Cancelled();
+        }
+        const int now = mesh.tick();
+        report.passes.push_back(run_pass(mesh, options, since, report));
+        const AdaptPass& pass = report.passes.back();
+        since = now;
+        const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;
+        if (static_cast<double>(changes) < options.fewest * static_cast<double>(pass.nodes)) {
+            break;
+        }
+    }
+}
+
+/// Adapts a stage to `source`, whose background is the stage's own mesh or what `near` refers to.
+template <int D>
+Stage<D> next_stage(const Stage<D>& stage, const MetricSource<D>& source,
+                    const AdaptOptions& options, int passes, bool own_background,
+                    AdaptReport& report, Monitor& monitor) {
+    IdVector<NodeId, NodeId> near = stage.near;
+    if (own_background) {
+        for (const NodeId v : near.ids()) {
+            near[v] = v;
+        }
+    }
+    UnitMesh<D> unit(stage.mesh, stage.geometry, source, near);
+    run_passes(unit, options, passes, report, monitor);
+    auto compact = unit.edit.compact();
+    Stage<D> next{std::move(compact.mesh), std::move(compact.classes), {}, {}};
+    for (const NodeId v : compact.parent) {
+        const NodeId at = unit.near(v);
+        next.near.push_back(own_background ? stage.near[at] : at);
+    }
+    return next;
+}
+
+/// Sizes halve or double from stage to stage, until the metric is within reach: a mesh that is
+/// nearly unit at every step never gets elements that no swap could mend.
+template <int D>
+void approach(Stage<D>& stage, const MetricSource<D>& source, const AdaptOptions& options,
+              AdaptReport& report, Monitor& monitor) {
+    AdaptOptions on_stages = options;
+    on_stages.swap.below = options.stage_swap_below;
+    double left_before = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < options.stages; ++n) {
+        const MetricField<D> natural = nodal_metric(stage.mesh, Mean::blended);
+        MetricField<D> limited(natural.size());
+        double left = 0;
+        std::size_t beyond = 0;
+        for (const NodeId v : natural.ids()) {
+            double excess = 1;
+            limited[v] = limited_metric(natural[v], stage.target[v], options.stage_factor, excess);
+            left += std::log(excess);
+            beyond += excess > 1 ? 1 : 0;
+        }
+        // In curved layers the directions of a mesh never agree with those wanted as well as their
+        // sizes would need it: then it comes no nearer.
+        if (static_cast<double>(beyond) <= options.left_beyond * static_cast<double>(natural.size()) ||
+            left > 0.95 * left_before) {
+            return;
+        }
+        left_before = left;
+        const BackgroundMetric<D> on_the_way(stage.mesh, limited);
+        stage = next_stage(stage, on_the_way, on_stages, options.stage_passes, true, report, monitor);
+        set_targets(stage, source);
+        ++report.stages;
+    }
+}
+
+} // namespace
+
+template <int D>
+Adapted<D> adapt(const Mesh<D>& mesh, const MetricSource<D>& source, const AdaptOptions& options,
+                 AdaptReport& report, Monitor& monitor) {
+    Stopwatch watch;
+    report = {};
+    report.nodes_before = static_cast<std::int64_t>(mesh.points.size());
+    report.elements_before = static_cast<std::int64_t>(mesh.elements.size());
+    Stage<D> stage = first_stage(mesh, source, options.features);
+    report.conformity_before = conformity(mesh, stage.target);
+    {
+        MonitorPart part(monitor, 0, 0.4);
+        approach(stage, source, options, report, part);
+    }
+    MonitorPart part(monitor, 0.4, 0.95);
+    stage = next_stage(stage, source, options, options.passes, false, report, part);
+    set_targets(stage, source);
+
+    monitor.progress(0.97, "checking");
+    report.check = check(stage.mesh);
+    if (!report.check.valid()) {
+        throw std::logic_error("the adapted mesh is not valid: " + report.check.summary());
+    }
+    report.predicted_nodes = expected_nodes(stage.mesh, stage.target);
+    report.conformity = conformity(stage.mesh, stage.target);
+    report.nodes_after = static_cast<std::int64_t>(stage.mesh.points.size());
+    report.elements_after = static_cast<std::int64_t>(stage.mesh.elements.size());
+    report.seconds = watch.lap();
+    return {std::move(stage.mesh), std::move(stage.target)};
+}
+
+template Adapted<2> adapt(const Mesh<2>&, const MetricSource<2>&, const AdaptOptions&,
+                          AdaptReport&, Monitor&);
+template Adapted<3> adapt(const Mesh<3>&, const MetricSource<3>&, const AdaptOptions&,
+                          AdaptReport&, Monitor&);
+
+} // namespace ameco

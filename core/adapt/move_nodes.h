@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Nodes go where the elements around them are better.
+#pragma once
+
+#include "core/adapt/unit_mesh.h"
+
+namespace ameco {
+
+struct MoveOptions {
+    double below = 0.9;   ///< nodes with an element of a quality below this are tried [-]
+    double gain = 1.002;  ///< the harmonic mean of the qualities must grow by this factor [-]
+    int halvings = 3;     ///< of a step that is refused
+};
+
+/// Moves nodes, in the order of their ids, towards the place from which their neighbours are one
+/// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line;
+/// nodes of curved ones stay where they are.
+/// \param since  only nodes that have changed since are looked at
+/// \return  number of moves made
+template <int D>
+std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
+                        VerdictCounts& verdicts);
+
+} // namespace ameco

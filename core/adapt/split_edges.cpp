@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/adapt/split_edges.h"
+
+#include "core/adapt/edge_queue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ameco {
+namespace {
+
+/// Where along an edge from a to b the two parts have the same length, when the density of length
+/// goes geometrically from l_a to l_b.
+double middle(double l_a, double l_b) {
+    const double r = std::log(l_b / l_a);
+    if (std::abs(r) < 1e-3) {
+        return 0.5 + r / 8;
+    }
+    constexpr double nearest_end = 0.1;
+    return std::clamp(std::log(0.5 * (1 + std::exp(r))) / r, nearest_end, 1 - nearest_end);
+}
+
+template <int D>
+class Splitter {
+public:
+    Splitter(UnitMesh<D>& mesh, const SplitOptions& options) : mesh_(mesh), options_(options) {}
+
+    Verdict split(NodeId a, NodeId b, double length) {
+        gather_shell(mesh_.edit, a, b, cavity_);
+        const Verdict allowed = allowed_by_geometry(a, b);
+        if (allowed != Verdict::accepted) {
+            return allowed;
+        }
+        const bool ridge = mesh_.edit.is_ridge(a, b);
+        const bool boundary = std::any_of(cavity_.elements.begin(), cavity_.elements.end(),
+                                          [&](ElementId e) { return mesh_.edit.is_ghost(e); });
+        const Vec<D> e = mesh_.edit.point(b) - mesh_.edit.point(a);
+        const Vec<D> p =
+            mesh_.edit.point(a) + middle(mesh_.length_at(a, e), mesh_.length_at(b, e)) * e;
+        const NodeId m = mesh_.add_node(
+            p, a, ridge ? NodeClass::ridge : boundary ? NodeClass::patch : NodeClass::interior,
+            boundary);
+        const Verdict verdict = judge(a, b, m, length);
+        if (verdict != Verdict::accepted) {
+            mesh_.drop_last_node();
+            return verdict;
+        }
+        mesh_.replace(cavity_, star_);
+        mesh_.edit.split_ridge(a, b, m);
+        return verdict;
+    }
+
+private:
+    [[nodiscard]] bool frozen(NodeId v) const {
+        return mesh_.edit.node_class(v) == NodeClass::frozen;
+    }
+
+    /// Required faces, faces of frozen patches and faces inside the domain have frozen nodes only.
+    [[nodiscard]] Verdict allowed_by_geometry(NodeId a, NodeId b) const {
+        if (!frozen(a) || !frozen(b)) {
+            return Verdict::accepted;
+        }
+        if (mesh_.edit.has_protected_inside()) {
+            return Verdict::region_border;
+        }
+        for (const ElementId e : cavity_.elements) {
+            if (mesh_.edit.is_ghost(e)) {
+                const Facet<D> face = ghost_face<D>(mesh_.edit.nodes(e));
+                if (std::all_of(face.begin(), face.end(), [&](NodeId v) { return frozen(v); })) {
+                    return Verdict::geometry_class;
+                }
+            }
+        }
+        return Verdict::accepted;
+    }
+
+    [[nodiscard]] Verdict judge(NodeId a, NodeId b, NodeId m, double length) {
+        // What is asked falls to nothing where the edge is much too long.
+        const double strict = std::max(0.0, (options_.much_above - length) /
+                                                (options_.much_above - options_.above));
+        if (is_crowded(a, b, m, strict)) {
+            return Verdict::short_edge;
+        }
+        const Verdict verdict = make_star(mesh_.edit, cavity_, m, star_);
+        return verdict == Verdict::accepted
+                   ? mesh_.judge(strict * options_.quality_share * worst_quality(mesh_.edit, cavity_), star_)
+                   : verdict;
+    }
+
+    /// Nodes that are freer to move do not count: they can leave onto the new one. Otherwise the
+    /// nodes beside a ridge could keep it from getting its own.
+    [[nodiscard]] bool is_too_near(NodeId m, NodeId v, double shortest) const {
+        return mesh_.edit.node_class(v) >= mesh_.edit.node_class(m) &&
+               mesh_.length(m, v) < shortest;
+    }
+
+    /// Whether a node is too near to the new one: a node of the shell, and where the edge is much
+    /// too long, and many others beside it, also a neighbour of one.
+    [[nodiscard]] bool is_crowded(NodeId a, NodeId b, NodeId m, double strict) {
+        const double shortest =
+            strict * options_.shortest + (1 - strict) * options_.shortest_among_long;
+        near_.clear();
+        for (const ElementId e : cavity_.elements) {
+            for (const NodeId v : mesh_.edit.nodes(e)) {
+                if (v != mesh_.edit.ghost() && std::find(near_.begin(), near_.end(), v) == near_.end()) {
+                    if (v != a && v != b && is_too_near(m, v, shortest)) {
+                        return true;
+                    }
+                    near_.push_back(v);
+                }
+            }
+        }
+        if (strict > 0.5) {
+            return false;
+        }
+        for (const NodeId v : near_) {
+            mesh_.neighbours(v, neighbours_);
+            for (const NodeId w : neighbours_) {
+                if (is_too_near(m, w, shortest)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    UnitMesh<D>& mesh_;
+    const SplitOptions& options_;
+    std::vector<NodeId> near_, neighbours_;
+    Cavity<D> cavity_;
+    Star<D> star_;
+};
+
+} // namespace
+
+template <int D>
+std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
+                              VerdictCounts& verdicts) {
+    std::vector<LongEdge> queue =
+        edges_by_length(mesh, since, [&](double length) { return length > options.above; });
+    std::reverse(queue.begin(), queue.end());
+    Splitter<D> splitter(mesh, options);
+    std::int64_t made = 0;
+    for (const LongEdge& edge : queue) {
+        // No split removes another edge of the queue, and no node moves.
+        const Verdict verdict = splitter.split(edge.nodes[0], edge.nodes[1], edge.length);
+        verdicts.add(verdict);
+        made += verdict == Verdict::accepted ? 1 : 0;
+    }
+    return made;
+}
+
+template std::int64_t split_long_edges(UnitMesh<2>&, const SplitOptions&, int, VerdictCounts&);
+template std::int64_t split_long_edges(UnitMesh<3>&, const SplitOptions&, int, VerdictCounts&);
+
+} // namespace ameco

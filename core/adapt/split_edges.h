@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Edges that are too long in the metric get a node in the middle.
+#pragma once
+
+#include "core/adapt/unit_mesh.h"
+
+namespace ameco {
+
+struct SplitOptions {
+    double above = 1.4142135623730951; ///< edges longer than this are split [-]
+    double shortest = 0.70;  ///< no new edge beside the halves may be shorter than this [-] ...
+    double much_above = 2.5; ///< ... and where the edge is longer than this,
+    double shortest_among_long = 0.8; ///< than this [-]
+    double quality_share = 0.5; ///< the worst quality may fall to this share of what it was
+};
+
+/// Splits edges, the longest first: the shell of the edge is starred from a new node on it. Edges
+/// made on the way are left to the next call.
+/// \param since  only edges with an end that has changed since are looked at
+/// \return  number of splits made
+template <int D>
+std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
+                              VerdictCounts& verdicts);
+
+} // namespace ameco

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// A mesh on its way to be unit in a metric: what all operators of the adaptation look at.
+#pragma once
+
+#include "core/adapt/metric_source.h"
+#include "core/metric/edge_length.h"
+#include "core/remesh/cavity.h"
+#include "core/remesh/metric_quality.h"
+#include "core/remesh/surface_rules.h"
+
+namespace ameco {
+
+/// An EditMesh with a metric at every node, also at those that are put in or moved. The `measure`
+/// of its elements is their quality (16) in the metric.
+template <int D>
+class UnitMesh {
+public:
+    /// \param source  where new nodes get their metric from; must outlive this
+    /// \param near    a node of the source's background mesh near each node
+    UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes, const MetricSource<D>& source,
+             IdVector<NodeId, NodeId> near);
+
+    EditMesh<D> edit;
+
+    [[nodiscard]] const RootField<D>& root() const { return root_; }
+
+    /// Length of the straight line between two nodes in the metric [-].
+    [[nodiscard]] double length(NodeId a, NodeId b) const {
+        return length(a, edit.point(a), b);
+    }
+    /// The same with node a moved to `p`, its metric kept.
+    [[nodiscard]] double length(NodeId a, const Vec<D>& p, NodeId b) const {
+        const Vec<D> e = edit.point(b) - p;
+        return edge_length((factor_[a] * e).norm(), (factor_[b] * e).norm());
+    }
+    /// Length of a vector in the metric of one node [-].
+    [[nodiscard]] double length_at(NodeId v, const Vec<D>& e) const {
+        return (factor_[v] * e).norm();
+    }
+    /// Vector to the space in which the metric of node v is the unit matrix, and back.
+    [[nodiscard]] Vec<D> to_unit(NodeId v, const Vec<D>& e) const { return factor_[v] * e; }
+    [[nodiscard]] Vec<D> from_unit(NodeId v, const Vec<D>& y) const {
+        // The rows of F are orthogonal: F^-1 = F^T diag(1 / |row|^2).
+        return factor_[v].transpose() *
+               y.cwiseQuotient(factor_[v].rowwise().squaredNorm());
+    }
+    [[nodiscard]] double quality(const Simplex<D>& s) const {
+        return metric_shape(edit, root_, s);
+    }
+    /// A node of the background mesh near a node.
+    [[nodiscard]] NodeId near(NodeId v) const { return near_[v]; }
+    /// h_1 of the metric at a node [L].
+    [[nodiscard]] double short_size(NodeId v) const { return short_size_[v]; }
+
+    /// Adds a node that has the metric of its place; \see EditMesh::add_node.
+    NodeId add_node(const Vec<D>& p, NodeId beside, NodeClass node_class, bool on_boundary);
+    void drop_last_node();
+    /// Moves a node, and takes the metric from its new place.
+    void move_node(NodeId v, const Vec<D>& p);
+
+    /// What `move_node` changes, to be put back.
+    struct NodeState {
+        Vec<D> point;
+        Mat<D> factor;
+        Tensor<D> root;
+        double short_size;
+        NodeId near;
+    };
+    [[nodiscard]] NodeState state(NodeId v) const {
+        return {edit.point(v), factor_[v], root_[v], short_size_[v], near_[v]};
+    }
+    void restore(NodeId v, const NodeState& state);
+
+    /// Qualities of the star's elements, kept as their `measure`; stops at the first one that is
+    /// not above `least`.
+    /// \return  accepted or low_quality
+    [[nodiscard]] Verdict judge(double least, Star<D>& star) const;
+
+    /// Nodes that share an edge with v, ascending.
+    void neighbours(NodeId v, std::vector<NodeId>& out) const;
+
+    /// Says that the elements at a node have changed; \see changed_since.
+    void touch(NodeId v) { touched_[v] = clock_; }
+    /// Whether anything at the node has changed since that time of the clock.
+    [[nodiscard]] bool changed_since(NodeId v, int time) const { return touched_[v] >= time; }
+    /// Starts a new time, and returns it.
+    int tick() { return ++clock_; }
+
+    /// Replaces a cavity, and touches the nodes of the star.
+    void replace(const Cavity<D>& cavity, const Star<D>& star);
+
+private:
+    void set_metric(NodeId v, const Metric<D>& metric);
+
+    const MetricSource<D>& source_;
+    IdVector<NodeId, Mat<D>> factor_;
+    RootField<D> root_;
+    IdVector<NodeId, double> short_size_;
+    IdVector<NodeId, NodeId> near_; ///< a node of the background mesh near each node
+    IdVector<NodeId, int> touched_;
+    int clock_ = 0;
+};
+
+} // namespace ameco
