@@ -142,16 +142,8 @@ private:
     }
 
     [[nodiscard]] std::vector<double> sizes_at(const Mesh<3>& surface) const {
-        const MetricFile file = read_metric(metric_);
-        const auto* field = std::get_if<MetricField<3>>(&file.field);
-        if (field == nullptr || field->size() != surface.points.size()) {
-            throw InputError(metric_ +
-                             ": is no metric in three dimensions with one tensor for "
-                             "each of the " +
-                             std::to_string(surface.points.size()) + " nodes of " + surface_);
-        }
         std::vector<double> sizes;
-        for (const auto& metric : *field) {
+        for (const auto& metric : load_metric(metric_, surface, surface_)) {
             sizes.push_back(std::cbrt(metric.sizes.prod()));
         }
         return sizes;
