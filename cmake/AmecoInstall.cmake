@@ -24,7 +24,9 @@ install(FILES docs/man/ameco.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES resources/completions/ameco.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ameco)
 install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/user DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# As in the repository, so that the links between pages work.
+install(FILES docs/README.md docs/reproduction.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/user docs/theory docs/dev docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
 # `cpack` in the build folder makes ameco_<version>_<architecture>.deb.
 # Packing and installing take what is built, the target `program`, and do not build the tests first.
@@ -40,5 +42,14 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Makes the sequence of coarser meshes that geometric multigrid needs from one
 extremely stretched mesh of triangles or tetrahedra. A batch program, a
-window, and a C++ library.")
+window, a C++ library and a Python module.")
+if(AMECO_BUILD_PYTHON)
+    # Recommended only: the program needs no Python, and a cluster's node may have none.
+    math(EXPR next_minor "${AMECO_PYTHON_MINOR} + 1")
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
+        "python3 (>= 3.${AMECO_PYTHON_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+    set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-scipy")
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/debian/postinst"
+        "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")
+endif()
 include(CPack)

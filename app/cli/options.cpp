@@ -35,17 +35,14 @@ CLI::Validator finite_number(std::function<bool(double)> accepts, const std::str
     });
 }
 
+/// \param s  of the table, which outlives the parser
 CLI::Validator values_of(const Setting& s) {
-    switch (s.kind) {
-    case Setting::Kind::choice:
+    if (s.kind == Setting::Kind::choice) {
         return one_of(s.choices);
-    case Setting::Kind::whole_number:
-        return whole_number(std::lround(s.low), std::lround(s.high));
-    case Setting::Kind::flag:
-    case Setting::Kind::number:
-        break;
     }
-    return s.above_low ? greater_than(s.low) : number_within(s.low, s.high);
+    return validator([&s](const std::string& text) {
+        return s.accepts(text) ? std::string() : text + " is not " + s.wanted();
+    });
 }
 
 } // namespace

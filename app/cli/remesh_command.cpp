@@ -142,8 +142,9 @@ private:
         out << output_ << ": " << plural(r.nodes_after, "node") << ", "
             << count_text(r.elements_after) << ' ' << element_word(dimension_) << ", from "
             << plural(r.nodes_before, "node") << '\n';
-        Facts facts{{"unit mesh has about", plural(static_cast<std::int64_t>(r.predicted_nodes), "node")},
-                    {"edges in band before", percent_text(r.conformity_before.in_band)}};
+        Facts facts{
+            {"unit mesh has about", plural(static_cast<std::int64_t>(r.predicted_nodes), "node")},
+            {"edges in band before", percent_text(r.conformity_before.in_band)}};
         for (auto& fact : conformity_facts(r.conformity)) {
             facts.push_back(std::move(fact));
         }

@@ -129,13 +129,15 @@ void approach(Stage<D>& stage, const MetricSource<D>& source, const AdaptOptions
         }
         // In curved layers the directions of a mesh never agree with those wanted as well as their
         // sizes would need it: then it comes no nearer.
-        if (static_cast<double>(beyond) <= options.left_beyond * static_cast<double>(natural.size()) ||
+        if (static_cast<double>(beyond) <=
+                options.left_beyond * static_cast<double>(natural.size()) ||
             left > 0.95 * left_before) {
             return;
         }
         left_before = left;
         const BackgroundMetric<D> on_the_way(stage.mesh, limited);
-        stage = next_stage(stage, on_the_way, on_stages, options.stage_passes, true, report, monitor);
+        stage =
+            next_stage(stage, on_the_way, on_stages, options.stage_passes, true, report, monitor);
         set_targets(stage, source);
         ++report.stages;
     }
@@ -173,9 +175,9 @@ Adapted<D> adapt(const Mesh<D>& mesh, const MetricSource<D>& source, const Adapt
     return {std::move(stage.mesh), std::move(stage.target)};
 }
 
-template Adapted<2> adapt(const Mesh<2>&, const MetricSource<2>&, const AdaptOptions&,
-                          AdaptReport&, Monitor&);
-template Adapted<3> adapt(const Mesh<3>&, const MetricSource<3>&, const AdaptOptions&,
-                          AdaptReport&, Monitor&);
+template Adapted<2> adapt(const Mesh<2>&, const MetricSource<2>&, const AdaptOptions&, AdaptReport&,
+                          Monitor&);
+template Adapted<3> adapt(const Mesh<3>&, const MetricSource<3>&, const AdaptOptions&, AdaptReport&,
+                          Monitor&);
 
 } // namespace ameco

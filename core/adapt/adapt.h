@@ -20,14 +20,15 @@ struct AdaptOptions {
     CollapseOptions collapse;
     SwapOptions swap{.below = 0.8, .gain = 1.01, .rounds = 2};
     MoveOptions move;
-    bool node_nested = false; ///< no new nodes, and none is moved: what is left are nodes of the mesh
-    double stage_factor = 2; ///< sizes change at most by this from stage to stage [-], > 1
+    bool node_nested =
+        false; ///< no new nodes, and none is moved: what is left are nodes of the mesh
+    double stage_factor = 2;       ///< sizes change at most by this from stage to stage [-], > 1
     double stage_swap_below = 0.5; ///< elements below this quality are swapped on the way [-]
-    int stage_passes = 2;    ///< over each stage but the last
-    int stages = 40;         ///< at most, before the last one, which comes ...
-    double left_beyond = 0.05; ///< ... when no more than this share of nodes is out of reach
-    int passes = 20;      ///< over the last one, at most; it ends earlier ...
-    double fewest = 0.03; ///< ... when a pass makes fewer changes than this per node
+    int stage_passes = 2;          ///< over each stage but the last
+    int stages = 40;               ///< at most, before the last one, which comes ...
+    double left_beyond = 0.05;     ///< ... when no more than this share of nodes is out of reach
+    int passes = 20;               ///< over the last one, at most; it ends earlier ...
+    double fewest = 0.03;          ///< ... when a pass makes fewer changes than this per node
 };
 
 /// What one pass did.

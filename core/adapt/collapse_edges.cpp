@@ -22,8 +22,8 @@ public:
             std::swap(ball_, best_ball_);
         }
         const bool found = first == Verdict::accepted;
-        const Verdict second = propose({.removed = edge[1], .kept = edge[0]},
-                                       found ? best_star_.worst_quality : 0);
+        const Verdict second =
+            propose({.removed = edge[1], .kept = edge[0]}, found ? best_star_.worst_quality : 0);
         if (second == Verdict::accepted) {
             make({.removed = edge[1], .kept = edge[0]}, ball_, star_);
             return second;
@@ -53,14 +53,13 @@ private:
         }
         verdict = make_star(mesh_.edit, ball_, collapse.kept, star_);
         if (verdict == Verdict::accepted) {
-            const double floor = std::min(options_.quality_floor,
-                                          options_.quality_share * worst_quality(mesh_.edit, ball_));
+            const double floor = std::min(
+                options_.quality_floor, options_.quality_share * worst_quality(mesh_.edit, ball_));
             verdict = mesh_.judge(std::max(floor, better_than), star_);
         }
         if (verdict == Verdict::accepted && mesh_.edit.on_boundary(collapse.removed)) {
-            verdict = judge_collapsed_boundary(mesh_.edit, surface_,
-                                               mesh_.short_size(collapse.removed), collapse, ball_,
-                                               star_);
+            verdict = judge_collapsed_boundary(
+                mesh_.edit, surface_, mesh_.short_size(collapse.removed), collapse, ball_, star_);
         }
         return verdict;
     }

@@ -9,8 +9,8 @@ namespace ameco {
 
 struct CollapseOptions {
     double below = 0.70710678118654752; ///< edges shorter than this are collapsed [-]
-    double longest = 1.6; ///< no new edge may be longer than this, or than one it
-                                          ///< replaces [-]
+    double longest = 1.6;               ///< no new edge may be longer than this, or than one it
+                                        ///< replaces [-]
     double quality_share = 1.0; ///< the worst quality may fall to this share of what it was ...
     double quality_floor = 0.2; ///< ... and to this, where it was better [-]
 };

@@ -31,7 +31,7 @@ struct BackgroundMetric<D>::Search {
 
 template <int D>
 BackgroundMetric<D>::BackgroundMetric(const Mesh<D>& mesh, const MetricField<D>& field, Mean mean)
-    : mesh_(mesh), locator_(mesh), mean_(mean), terms_(field.size()) {
+    : mesh_(mesh), locator_(mesh), mean_(mean), terms_(field.size(), {{}, Vec<D>::Zero()}) {
     parallel_for(field.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             terms_[NodeId(i)] = contribution_of<D>(field[NodeId(i)], mean);
@@ -65,7 +65,8 @@ Metric<D> BackgroundMetric<D>::interpolate(std::span<const NodeId> nodes,
 
 template <int D>
 Metric<D> BackgroundMetric<D>::at(const Vec<D>& p, NodeId& near) const {
-    std::optional<ElementId> element = locator_.walk(p, mesh_.points.contains(near) ? near : NodeId(0));
+    std::optional<ElementId> element =
+        locator_.walk(p, mesh_.points.contains(near) ? near : NodeId(0));
     if (!element) {
         const std::int32_t found = search().elements.find(
             p, [&](std::int32_t e) { return locator_.contains(ElementId(e), p); });

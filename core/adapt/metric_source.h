@@ -33,11 +33,11 @@ class BackgroundMetric : public MetricSource<D> {
 public:
     /// \param mesh   valid
     /// \param field  one valid metric per node of `mesh`
-    /// \param mean   one that comes from sums. The corrected mean (9)-(10) is exact where sizes grow
+    /// \param mean   one that comes from sums. The corrected mean (9)-(10) is exact where sizes
+    /// grow
     ///               linearly with the distance from a wall, as they do in boundary layers; the
     ///               log-Euclidean one makes them small over most of a large element.
-    BackgroundMetric(const Mesh<D>& mesh, const MetricField<D>& field,
-                     Mean mean = Mean::corrected);
+    BackgroundMetric(const Mesh<D>& mesh, const MetricField<D>& field, Mean mean = Mean::corrected);
     ~BackgroundMetric() override;
 
     [[nodiscard]] Metric<D> at(const Vec<D>& p, NodeId& near) const override;

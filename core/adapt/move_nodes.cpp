@@ -37,8 +37,7 @@ public:
         if (before_.worst >= options_.below) {
             return Verdict::no_improvement;
         }
-        if (mesh_.edit.node_class(v) == NodeClass::interior &&
-            search(v, towards_regular(v))) {
+        if (mesh_.edit.node_class(v) == NodeClass::interior && search(v, towards_regular(v))) {
             return Verdict::accepted;
         }
         return search(v, towards_unit(v)) ? Verdict::accepted : Verdict::no_improvement;
@@ -150,7 +149,7 @@ private:
     bool collect_plane(NodeId v) {
         guides_.clear();
         bool first = true;
-        Vec<D> normal;
+        Vec<D> normal = Vec<D>::Zero();
         for (const ElementId e : mesh_.edit.ball(v)) {
             if (!mesh_.edit.is_ghost(e)) {
                 continue;

@@ -37,9 +37,11 @@ public:
         const Vec<D> e = mesh_.edit.point(b) - mesh_.edit.point(a);
         const Vec<D> p =
             mesh_.edit.point(a) + middle(mesh_.length_at(a, e), mesh_.length_at(b, e)) * e;
-        const NodeId m = mesh_.add_node(
-            p, a, ridge ? NodeClass::ridge : boundary ? NodeClass::patch : NodeClass::interior,
-            boundary);
+        const NodeId m = mesh_.add_node(p, a,
+                                        ridge      ? NodeClass::ridge
+                                        : boundary ? NodeClass::patch
+                                                   : NodeClass::interior,
+                                        boundary);
         const Verdict verdict = judge(a, b, m, length);
         if (verdict != Verdict::accepted) {
             mesh_.drop_last_node();
@@ -55,7 +57,7 @@ private:
         return mesh_.edit.node_class(v) == NodeClass::frozen;
     }
 
-    /// Required faces, faces of frozen patches and faces inside the domain have frozen nodes only.
+    /// Faces inside the domain, required elements and edges have frozen nodes only.
     [[nodiscard]] Verdict allowed_by_geometry(NodeId a, NodeId b) const {
         if (!frozen(a) || !frozen(b)) {
             return Verdict::accepted;
@@ -63,28 +65,26 @@ private:
         if (mesh_.edit.has_protected_inside()) {
             return Verdict::region_border;
         }
-        for (const ElementId e : cavity_.elements) {
-            if (mesh_.edit.is_ghost(e)) {
-                const Facet<D> face = ghost_face<D>(mesh_.edit.nodes(e));
-                if (std::all_of(face.begin(), face.end(), [&](NodeId v) { return frozen(v); })) {
-                    return Verdict::geometry_class;
-                }
-            }
-        }
-        return Verdict::accepted;
+        const bool kept =
+            mesh_.edit.is_required(a, b) ||
+            std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
+                return mesh_.edit.is_ghost(e) && mesh_.edit.is_frozen(e);
+            });
+        return kept ? Verdict::geometry_class : Verdict::accepted;
     }
 
     [[nodiscard]] Verdict judge(NodeId a, NodeId b, NodeId m, double length) {
         // What is asked falls to nothing where the edge is much too long.
-        const double strict = std::max(0.0, (options_.much_above - length) /
-                                                (options_.much_above - options_.above));
+        const double strict =
+            std::max(0.0, (options_.much_above - length) / (options_.much_above - options_.above));
         if (is_crowded(a, b, m, strict)) {
             return Verdict::short_edge;
         }
         const Verdict verdict = make_star(mesh_.edit, cavity_, m, star_);
-        return verdict == Verdict::accepted
-                   ? mesh_.judge(strict * options_.quality_share * worst_quality(mesh_.edit, cavity_), star_)
-                   : verdict;
+        return verdict == Verdict::accepted ? mesh_.judge(strict * options_.quality_share *
+                                                              worst_quality(mesh_.edit, cavity_),
+                                                          star_)
+                                            : verdict;
     }
 
     /// Nodes that are freer to move do not count: they can leave onto the new one. Otherwise the
@@ -102,7 +102,8 @@ private:
         near_.clear();
         for (const ElementId e : cavity_.elements) {
             for (const NodeId v : mesh_.edit.nodes(e)) {
-                if (v != mesh_.edit.ghost() && std::find(near_.begin(), near_.end(), v) == near_.end()) {
+                if (v != mesh_.edit.ghost() &&
+                    std::find(near_.begin(), near_.end(), v) == near_.end()) {
                     if (v != a && v != b && is_too_near(m, v, shortest)) {
                         return true;
                     }

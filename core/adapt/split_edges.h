@@ -12,7 +12,7 @@ struct SplitOptions {
     double shortest = 0.70;  ///< no new edge beside the halves may be shorter than this [-] ...
     double much_above = 2.5; ///< ... and where the edge is longer than this,
     double shortest_among_long = 0.8; ///< than this [-]
-    double quality_share = 0.5; ///< the worst quality may fall to this share of what it was
+    double quality_share = 0.5;       ///< the worst quality may fall to this share of what it was
 };
 
 /// Splits edges, the longest first: the shell of the edge is starred from a new node on it. Edges

@@ -26,9 +26,7 @@ public:
     [[nodiscard]] const RootField<D>& root() const { return root_; }
 
     /// Length of the straight line between two nodes in the metric [-].
-    [[nodiscard]] double length(NodeId a, NodeId b) const {
-        return length(a, edit.point(a), b);
-    }
+    [[nodiscard]] double length(NodeId a, NodeId b) const { return length(a, edit.point(a), b); }
     /// The same with node a moved to `p`, its metric kept.
     [[nodiscard]] double length(NodeId a, const Vec<D>& p, NodeId b) const {
         const Vec<D> e = edit.point(b) - p;
@@ -42,12 +40,9 @@ public:
     [[nodiscard]] Vec<D> to_unit(NodeId v, const Vec<D>& e) const { return factor_[v] * e; }
     [[nodiscard]] Vec<D> from_unit(NodeId v, const Vec<D>& y) const {
         // The rows of F are orthogonal: F^-1 = F^T diag(1 / |row|^2).
-        return factor_[v].transpose() *
-               y.cwiseQuotient(factor_[v].rowwise().squaredNorm());
+        return factor_[v].transpose() * y.cwiseQuotient(factor_[v].rowwise().squaredNorm());
     }
-    [[nodiscard]] double quality(const Simplex<D>& s) const {
-        return metric_shape(edit, root_, s);
-    }
+    [[nodiscard]] double quality(const Simplex<D>& s) const { return metric_shape(edit, root_, s); }
     /// A node of the background mesh near a node.
     [[nodiscard]] NodeId near(NodeId v) const { return near_[v]; }
     /// h_1 of the metric at a node [L].

@@ -47,8 +47,7 @@ Metric<3> analytic_metric(AnalyticMetric kind, double first, const Vec<3>& p) {
     case AnalyticMetric::polar_2:
         return polar(p, true);
     case AnalyticMetric::layer:
-        return metric_along(axes,
-                            {far_size, far_size, std::min(first + growth * p[2], far_size)});
+        return metric_along(axes, {far_size, far_size, std::min(first + growth * p[2], far_size)});
     case AnalyticMetric::skew:
         break;
     }

@@ -78,7 +78,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
-    between.rounds = 1;
+    between.rounds = std::min(2, options.swaps.rounds);
     RemovalState state(mesh.node_count());
     for (int pass = 0; pass < options.passes; ++pass) {
         const double begin = static_cast<double>(pass) / options.passes;

@@ -52,6 +52,7 @@ Setting number_setting(std::string_view name, std::string_view label, std::strin
     s.name = name;
     s.label = label;
     s.value_name = value_name;
+    s.unit = name.ends_with("-angle") ? "deg" : "-";
     s.help = std::move(help);
     s.low = low;
     s.high = high;
@@ -194,6 +195,24 @@ bool Setting::accepts(const std::string& word) const {
     }
     return (zero_is_off && number == 0) ||
            ((above_low ? number > low : number >= low) && number <= high);
+}
+
+std::string Setting::wanted() const {
+    const std::string range = exact_word(low) + " to " + exact_word(high);
+    switch (kind) {
+    case Kind::flag:
+        return "0 or 1";
+    case Kind::choice:
+        return "one of " + joined(choices, ", ");
+    case Kind::whole_number:
+        return "a whole number from " + range;
+    case Kind::number:
+        break;
+    }
+    if (above_low) {
+        return "a number greater than " + exact_word(low);
+    }
+    return std::isinf(high) ? "a number of at least " + exact_word(low) : "a number from " + range;
 }
 
 const std::vector<Setting>& settings() {

@@ -20,6 +20,7 @@ struct Setting {
     std::string_view name;       ///< "slack", for the option --slack
     std::string_view label;      ///< "Slack", for the window
     std::string_view value_name; ///< "S", for the help
+    std::string_view unit;       ///< "deg"; "-" for a pure number, "" for what is none
     std::string help;            ///< one line
     Kind kind = Kind::number;
     double low = 0;                   ///< smallest value
@@ -33,6 +34,8 @@ struct Setting {
 
     /// Whether a word is a value of this setting.
     [[nodiscard]] bool accepts(const std::string& word) const;
+    /// What it accepts, for a message: "a number of at least 1".
+    [[nodiscard]] std::string wanted() const;
 };
 
 /// All settings, in the order of the help. The factors of the levels and the frozen patches, whose

@@ -17,7 +17,7 @@ namespace ameco {
 /// and l = l_a where both agree. In a unit mesh every length is near 1.
 ///
 /// \param l_a, l_b  lengths seen from either end [-], >= 0
-/// \see docs/theory/metric.md, "Edge length"
+/// \see docs/theory/conformity.md, "Edge length"
 [[nodiscard]] inline double edge_length(double l_a, double l_b) {
     const double big = l_a > l_b ? l_a : l_b;
     const double small = l_a > l_b ? l_b : l_a;

@@ -26,7 +26,7 @@ inline constexpr double regular_simplex_volume =
 ///
 /// \param points  the corners, positively oriented [L]
 /// \return        the metric; sizes may be zero or tiny for a flat element
-/// \see docs/theory/metric.md, "Element metric"; paper, Lemma 2.1
+/// \see docs/theory/element_metric.md; paper, Lemma 2.1
 template <int D>
 [[nodiscard]] Metric<D> element_metric(const std::array<Vec<D>, D + 1>& points);
 

@@ -12,7 +12,7 @@ namespace ameco {
 /// The tensor W itself, like M, loses the square of the aspect ratio. X is
 /// V^T M^(-1/2) W M^(-1/2) V, the vector moved to the identity and seen in the frame of M, and its
 /// entries are logarithms of quotients of sizes.
-/// \see docs/theory/metric.md, "The space of metrics"; paper, appendix B.4
+/// \see docs/theory/geodesic.md, "The space of metrics"; paper, appendix B.4
 template <int D>
 struct Tangent {
     Mat<D> X = Mat<D>::Zero(); ///< symmetric [-]

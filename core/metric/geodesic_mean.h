@@ -45,7 +45,7 @@ struct GeodesicMean {
 /// 4 to 8 iterations are usual.
 ///
 /// \param metrics  at least one, valid
-/// \see docs/theory/metric.md, "Geodesic mean"; paper, section 2.3.3
+/// \see docs/theory/geodesic.md, "The mean"; paper, section 2.3.3
 template <int D>
 [[nodiscard]] GeodesicMean<D> geodesic_mean(std::span<const Metric<D>> metrics,
                                             const GeodesicOptions& options = {});

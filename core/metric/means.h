@@ -38,7 +38,7 @@ inline constexpr std::array all_means{Mean::corrected,     Mean::blended,
 ///
 /// \param metrics  at least one, valid
 /// \throws NotConverged  geodesic_fixed_step only
-/// \see docs/theory/metric.md, "From elements to nodes"; paper, section 2.3
+/// \see docs/theory/means.md; paper, section 2.3
 template <int D>
 [[nodiscard]] Metric<D> mean_of(std::span<const Metric<D>> metrics, Mean mean);
 

@@ -14,7 +14,7 @@ namespace ameco {
 /// \param mesh  every node belongs to an element
 /// \return      one metric per node [n]; the same for any number of threads
 /// \throws NotConverged  geodesic_fixed_step only; names the first such node
-/// \see docs/theory/metric.md, "From elements to nodes"; paper, section 2.3
+/// \see docs/theory/means.md; paper, section 2.3
 template <int D>
 [[nodiscard]] MetricField<D> nodal_metric(const Mesh<D>& mesh, Mean mean = Mean::corrected,
                                           Monitor& monitor = Monitor::silent());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/multigrid/invariants.h"
 
-#include "core/mesh/simplex.h"
 #include "core/mesh/boundary_projection.h"
+#include "core/mesh/simplex.h"
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #include "core/geometry/volume.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/barycentric.h"
-#include "core/mesh/simplex.h"
 #include "core/mesh/boundary_projection.h"
+#include "core/mesh/simplex.h"
 
 #include <algorithm>
 

@@ -66,8 +66,8 @@ bool is_positive(const EditMesh<D>& mesh, const Simplex<D>& s) {
     if constexpr (D == 2) {
         return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2])) > 0;
     } else {
-        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]),
-                           mesh.point(s[3])) > 0;
+        return orientation(mesh.point(s[0]), mesh.point(s[1]), mesh.point(s[2]), mesh.point(s[3])) >
+               0;
     }
 }
 
@@ -115,8 +115,8 @@ void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, St
     for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
         if (!contains(cavity.facets[i], node)) {
             const EditElement<D>& source = mesh.element(cavity.inside[i]);
-            star.elements.push_back({join<D>(cavity.facets[i], node, mesh.ghost()), source.label,
-                                     source.measure});
+            star.elements.push_back(
+                {join<D>(cavity.facets[i], node, mesh.ghost()), source.label, source.measure});
             star.sources.push_back(cavity.inside[i]);
         }
     }

@@ -17,8 +17,8 @@ bool has_node(const Simplex<D>& s, NodeId v) {
 template <int D>
 EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
     : points_(mesh.points), labels_(mesh.labels), class_(classes.node),
-      on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names),
-      features_(mesh.features) {
+      on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names), features_(mesh.features),
+      frozen_patches_(classes.frozen_patches) {
     elements_.reserve(mesh.elements.size() + mesh.faces.size());
     for (const ElementId e : mesh.elements.ids()) {
         elements_.push_back({mesh.elements[e], mesh.region[e], 0});
@@ -34,6 +34,15 @@ EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
     for (const int f : D == 2 ? features_.ridges : std::vector<int>{}) {
         ridge_faces_.push_back(sorted(mesh.faces[FaceId(f)]));
     }
+    if constexpr (D == 2) {
+        required_edges_ = required_faces_;
+        required_edges_.insert(required_edges_.end(), ridge_faces_.begin(), ridge_faces_.end());
+    } else {
+        for (const int e : features_.required_edges) {
+            required_edges_.push_back(sorted(features_.edges[static_cast<std::size_t>(e)]));
+        }
+    }
+    std::sort(required_edges_.begin(), required_edges_.end());
     for (const FaceId f : mesh.faces.ids()) {
         elements_.push_back({ghost_simplex<D>(mesh.faces[f], ghost_), mesh.patch[f],
                              static_cast<float>(classes.deviation[f])});
@@ -180,6 +189,19 @@ bool EditMesh<D>::is_required(const Facet<D>& face) const {
 }
 
 template <int D>
+bool EditMesh<D>::is_frozen(ElementId ghost_element) const {
+    const EditElement<D>& e = elements_[ghost_element];
+    return std::find(frozen_patches_.begin(), frozen_patches_.end(), e.label) !=
+               frozen_patches_.end() ||
+           is_required(ghost_face<D>(e.nodes));
+}
+
+template <int D>
+bool EditMesh<D>::is_required(NodeId a, NodeId b) const {
+    return std::binary_search(required_edges_.begin(), required_edges_.end(), sorted(Edge{a, b}));
+}
+
+template <int D>
 void EditMesh<D>::merge_ridges(NodeId removed, NodeId kept) {
     std::vector<RidgeEdge> moved;
     for (const ElementId e : ball(removed)) {
@@ -288,6 +310,7 @@ typename EditMesh<D>::Compact EditMesh<D>::compact() const {
     // The hash map has no order of its own.
     std::sort(out.classes.ridges.begin(), out.classes.ridges.end(),
               [](const RidgeEdge& a, const RidgeEdge& b) { return a.nodes < b.nodes; });
+    out.classes.frozen_patches = frozen_patches_;
     out.mesh.patch_names = patch_names_;
     out.mesh.features = compact_features(new_id, out.classes, out.mesh);
     return out;

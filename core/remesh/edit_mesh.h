@@ -62,6 +62,10 @@ public:
     }
     /// Whether a face of the boundary is one that must stay as it is.
     [[nodiscard]] bool is_required(const Facet<D>& face) const;
+    /// Whether a ghost element's face must stay as it is: required, or of a frozen patch.
+    [[nodiscard]] bool is_frozen(ElementId ghost_element) const;
+    /// Whether an edge is one that a file wants to find again.
+    [[nodiscard]] bool is_required(NodeId a, NodeId b) const;
     /// Whether edges between frozen nodes may belong to faces inside the domain or required
     /// elements, which no swap may touch.
     [[nodiscard]] bool has_protected_inside() const {
@@ -129,7 +133,9 @@ private:
     IdVector<NodeId, NodeClass> class_;
     IdVector<NodeId, std::uint8_t> on_boundary_;
     std::unordered_map<Edge, RidgeEdge, EdgeHash> ridges_;
-    std::vector<Facet<D>> required_faces_;           ///< sorted
+    std::vector<Facet<D>> required_faces_; ///< sorted
+    std::vector<Edge> required_edges_;     ///< sorted; of D = 2 also the ridges
+    std::vector<int> frozen_patches_;
     std::vector<Facet<D>> ridge_faces_;              ///< D = 2: faces that files call ridges
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;

@@ -246,6 +246,7 @@ void classify_boundary_nodes(const Mesh<2>& mesh, const std::vector<bool>& on_bo
 template <int D>
 GeometryClasses<D> classify_geometry(const Mesh<D>& mesh, const FeatureOptions& options) {
     GeometryClasses<D> classes;
+    classes.frozen_patches = options.frozen_patches;
     classes.node.assign(mesh.points.size(), NodeClass::interior);
     classes.deviation.assign(mesh.faces.size(), 0.0);
     const std::vector<bool> on_boundary = freeze_interfaces(mesh, classes);

@@ -39,6 +39,7 @@ struct GeometryClasses {
     std::vector<RidgeEdge> ridges;    ///< D = 3 only, in ascending order of their nodes
     /// Upper bound of the distance between each face and the finest boundary [L], [k].
     IdVector<FaceId, double> deviation;
+    std::vector<int> frozen_patches; ///< whose faces stay as they are
 };
 
 /// Classifies the nodes of a valid mesh from patch ids, dihedral angles, declared features and

@@ -125,7 +125,7 @@ def means(found, figure, docs):
         is the same, since all triangles of our strip are congruent. With the turn the geodesic
         mean, which the paper could not compute, has an aspect ratio of
         {short(geodesic['aspect_ratio'])} only: as the middle between slabs in two directions it
-        loses the layer ([why]({docs}theory/metric.md#means-beside-each-other)).""",
+        loses the layer ([why]({docs}theory/means.md#means-beside-each-other)).""",
     ]
 
 
@@ -143,7 +143,7 @@ def interface(figure, docs):
         between i and j already softens it, since nodal metrics are means over elements; so
         Algorithm 1 without either answer measures best
         ([figures]({docs}theory/results.md#algorithms)). Algorithm 2 is printed ambiguously; how
-        we read it stands in [coarsening]({docs}theory/coarsening.md#neighbours).""",
+        we read it stands in [gradation]({docs}theory/gradation.md).""",
     ]
 
 

@@ -6,12 +6,13 @@
 
 using namespace ameco::test;
 
-/// Runs docs/user/quickstart.md: the commands after "$ " in its console blocks, in order. What
-/// they print must be what stands below them, but for the numbers, which change with the program
-/// and the machine. AMECO_UPDATE_DOCS=1 writes the page anew.
+/// Runs the first page and docs/user/quickstart.md: the commands after "$ " in their console
+/// blocks, in order. What they print must be what stands below them, but for the numbers, which
+/// change with the program and the machine. AMECO_UPDATE_DOCS=1 writes the pages anew.
 class QuickstartTest : public QObject {
     Q_OBJECT
 private slots:
+    void prints_what_the_program_prints_data();
     void prints_what_the_program_prints();
 };
 
@@ -31,10 +32,18 @@ Run run_line(const Workspace& here, const QString& line) {
 
 } // namespace
 
+void QuickstartTest::prints_what_the_program_prints_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("first page") << "README.md";
+    QTest::newRow("quick start") << "docs/user/quickstart.md";
+}
+
 void QuickstartTest::prints_what_the_program_prints() {
-    const QString path = QString(AMECO_SOURCE_DIR) + "/docs/user/quickstart.md";
+    QFETCH(QString, name);
+    const QString path = QString(AMECO_SOURCE_DIR) + "/" + name;
     const QStringList lines = QString::fromUtf8(content_of(path)).split('\n');
     const Workspace here;
+    QVERIFY(QFile::link(QString(AMECO_SOURCE_DIR) + "/sample_meshes", here.path("sample_meshes")));
     QString page;
     bool in_block = false;
     for (int i = 0; i < lines.size(); ++i) {

@@ -33,15 +33,12 @@ struct Case {
     double first;
 };
 
-const std::vector<Case> cases{{"linear", AnalyticMetric::linear, 0},
-                              {"polar-1", AnalyticMetric::polar_1, 0},
-                              {"polar-2", AnalyticMetric::polar_2, 0},
-                              {"bl1e-3", AnalyticMetric::layer, 1e-3},
-                              {"bl1e-4", AnalyticMetric::layer, 1e-4},
-                              {"bl1e-5", AnalyticMetric::layer, 1e-5},
-                              {"bl1e-6", AnalyticMetric::layer, 1e-6},
-                              {"skew1e-3", AnalyticMetric::skew, 1e-3},
-                              {"skew1e-4", AnalyticMetric::skew, 1e-4}};
+const std::vector<Case> cases{
+    {"linear", AnalyticMetric::linear, 0},   {"polar-1", AnalyticMetric::polar_1, 0},
+    {"polar-2", AnalyticMetric::polar_2, 0}, {"bl1e-3", AnalyticMetric::layer, 1e-3},
+    {"bl1e-4", AnalyticMetric::layer, 1e-4}, {"bl1e-5", AnalyticMetric::layer, 1e-5},
+    {"bl1e-6", AnalyticMetric::layer, 1e-6}, {"skew1e-3", AnalyticMetric::skew, 1e-3},
+    {"skew1e-4", AnalyticMetric::skew, 1e-4}};
 
 double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

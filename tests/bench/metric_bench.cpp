@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
 /// Accuracy of the element metric beside the paper's equation (5), time and memory of the nodal
-/// metric. Prints the tables of docs/theory/metric.md.
+/// metric. Prints the tables of docs/theory/element_metric.md and means.md.
 #include "core/base/parallel.h"
 #include "core/metric/element_metric.h"
 #include "core/metric/nodal_metric.h"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/// \file
+/// Meshes on their way to be unit in a metric, for the tests of the operators.
+#pragma once
+
+#include "core/adapt/unit_mesh.h"
+#include "core/cases/cube.h"
+#include "tests/core/remesh/remesh_support.h"
+
+#include <memory>
+
+namespace ameco::adapt_test {
+
+/// The same metric everywhere.
+template <int D>
+class UniformMetric : public MetricSource<D> {
+public:
+    explicit UniformMetric(const Metric<D>& metric) : metric_(metric) {}
+    explicit UniformMetric(double h) : metric_{Vec<D>::Constant(h), Mat<D>::Identity()} {}
+    [[nodiscard]] Metric<D> at(const Vec<D>& /*p*/, NodeId& /*near*/) const override {
+        return metric_;
+    }
+
+private:
+    Metric<D> metric_;
+};
+
+/// Sizes that grow linearly with the last coordinate, stretched across it.
+template <int D>
+class LayerMetric : public MetricSource<D> {
+public:
+    LayerMetric(double first, double growth, double far)
+        : first_(first), growth_(growth), far_(far) {}
+    [[nodiscard]] Metric<D> at(const Vec<D>& p, NodeId& /*near*/) const override {
+        Metric<D> m;
+        m.sizes.setConstant(far_);
+        m.sizes[0] = std::min(first_ + growth_ * p[D - 1], far_);
+        m.directions.setZero();
+        m.directions(D - 1, 0) = 1;
+        for (int k = 1; k < D; ++k) {
+            m.directions(k - 1, k) = 1;
+        }
+        return m;
+    }
+
+private:
+    double first_, growth_, far_;
+};
+
+/// A displaced unit cube or square of n cells a side, under edit.
+template <int D>
+struct Bench {
+    Mesh<D> mesh;
+    std::shared_ptr<const MetricSource<D>> source;
+    UnitMesh<D> unit;
+
+    template <class Source>
+    Bench(int n, const Source& metric, int seed = 1)
+        : mesh(make_cube<D>({.n = n, .displace = 0.2, .seed = seed})),
+          source(std::make_shared<Source>(metric)),
+          unit(mesh, classify_geometry(mesh), *source,
+               IdVector<NodeId, NodeId>(mesh.points.size(), NodeId(0))) {}
+
+    /// What is wrong with the mesh as it stands, or changed of its extent; empty if nothing.
+    [[nodiscard]] std::string complaint() const {
+        const Mesh<D> now = unit.edit.compact().mesh;
+        const CheckReport report = check(now);
+        if (!report.valid()) {
+            return report.summary();
+        }
+        const double moved = difference(remesh_test::extent(now), remesh_test::extent(mesh));
+        if (!(moved < 1e-12)) {
+            return "patches or regions changed by " + std::to_string(moved);
+        }
+        for (std::size_t i = 0; i < unit.edit.slot_count(); ++i) {
+            const ElementId e(i);
+            if (!unit.edit.is_free(e) && !unit.edit.is_ghost(e) &&
+                unit.edit.element(e).measure !=
+                    static_cast<float>(unit.quality(unit.edit.nodes(e)))) {
+                return "the quality kept of element " + std::to_string(i) + " is not its own";
+            }
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::size_t nodes() const { return unit.edit.compact().mesh.points.size(); }
+
+    [[nodiscard]] double worst() const {
+        double q = 1;
+        for (std::size_t i = 0; i < unit.edit.slot_count(); ++i) {
+            const ElementId e(i);
+            if (!unit.edit.is_free(e) && !unit.edit.is_ghost(e)) {
+                q = std::min(q, static_cast<double>(unit.edit.element(e).measure));
+            }
+        }
+        return q;
+    }
+};
+
+/// Rules of a boundary with plane sides: it may not move at all.
+inline constexpr SurfaceRules plane_sides{
+    .largest_turn_deg = 30, .relative_distance = 1e-9, .layer_share = 1e9};
+
+} // namespace ameco::adapt_test
