@@ -38,8 +38,10 @@ void require_plain(const Mesh<3>& mesh) {
                     [&](int r) { return r != mesh.region.raw().front(); })) {
         refuse("several regions");
     }
-    if (!mesh.features.required_faces.empty() || !mesh.features.required_elements.empty()) {
-        refuse("required faces or elements");
+    const Features& features = mesh.features;
+    if (!features.required_edges.empty() || !features.required_faces.empty() ||
+        !features.required_elements.empty()) {
+        refuse("required edges, faces or elements");
     }
     if (check(mesh).interior_faces > 0) {
         refuse("faces inside");
@@ -181,6 +183,7 @@ struct Skeleton {
 Skeleton make_skeleton(const Level<3>& fine, const Thinned& thinned,
                        const std::vector<bool>& stays) {
     Skeleton s;
+    s.geometry.frozen_patches = fine.geometry.frozen_patches;
     IdVector<NodeId, NodeId> number(fine.mesh.points.size());
     for (const NodeId v : fine.mesh.points.ids()) {
         if (stays[v.index()]) {

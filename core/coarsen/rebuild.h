@@ -19,7 +19,7 @@ namespace ameco {
 /// 4. swaps bring the mesh near the target metric.
 ///
 /// The level is like one made by `coarsen`: node-nested, and valid. Meshes with several regions,
-/// faces inside, or required faces or elements cannot be made so.
+/// faces inside, or required edges, faces or elements cannot be made so.
 ///
 /// \throws UsageError   such a mesh
 /// \throws Error        a build without TetGen or OpenMesh
