@@ -17,8 +17,8 @@ bool has_node(const Simplex<D>& s, NodeId v) {
 template <int D>
 EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
     : points_(mesh.points), labels_(mesh.labels), class_(classes.node),
-      on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names), features_(mesh.features),
-      frozen_patches_(classes.frozen_patches) {
+      on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names),
+      frozen_patches_(classes.frozen_patches), features_(mesh.features) {
     elements_.reserve(mesh.elements.size() + mesh.faces.size());
     for (const ElementId e : mesh.elements.ids()) {
         elements_.push_back({mesh.elements[e], mesh.region[e], 0});

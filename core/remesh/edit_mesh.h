@@ -133,12 +133,12 @@ private:
     IdVector<NodeId, NodeClass> class_;
     IdVector<NodeId, std::uint8_t> on_boundary_;
     std::unordered_map<Edge, RidgeEdge, EdgeHash> ridges_;
-    std::vector<Facet<D>> required_faces_; ///< sorted
-    std::vector<Edge> required_edges_;     ///< sorted; of D = 2 also the ridges
-    std::vector<int> frozen_patches_;
+    std::vector<Facet<D>> required_faces_;           ///< sorted
+    std::vector<Edge> required_edges_;               ///< sorted; of D = 2 also the ridges
     std::vector<Facet<D>> ridge_faces_;              ///< D = 2: faces that files call ridges
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;
+    std::vector<int> frozen_patches_;
     Features features_;                        ///< of the mesh this was made from
     std::vector<ElementId> left_over_, slots_; ///< scratch of `replace`
 };
