@@ -4,11 +4,16 @@
 #include "app/cli/options.h"
 #include "app/cli/report.h"
 #include "app/cli/surface_words.h"
+#include "core/adapt/adapt.h"
+#include "core/adapt/grown_metric.h"
+#include "core/hierarchy/statistics_json.h"
 #include "core/recovery/fill.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace ameco::cli {
 namespace {
@@ -42,9 +47,14 @@ public:
             ->check(greater_than(0))
             ->type_name("H");
         app.add_option("--metric", metric_,
-                       "metric at the surface's nodes: its sizes (of a tet of the same volume) "
-                       "are wanted beside them")
+                       "metric at the surface's nodes; the volume is adapted to it, sizes growing "
+                       "with the distance")
             ->type_name("FILE");
+        app.add_option("--growth", growth_,
+                       "with --metric: how much sizes grow per distance; layers grow by 1 + G")
+            ->check(number_within(0, 10))
+            ->type_name("G")
+            ->capture_default_str();
         app.add_option("--farfield", farfield_,
                        "fill the space around, up to a box or a sphere: box, sphere, box:R, "
                        "sphere:R")
@@ -73,9 +83,12 @@ public:
         }
         const Mesh<3> surface = load_surface(surface_, session);
         const FillOptions options = options_for(surface);
-        const Fill fill = fill_surface(surface, options, surface_, session.monitor);
+        Fill fill = fill_surface(surface, options, surface_, session.monitor);
         for (const std::string& remark : fill.recovery.remarks) {
             session.monitor.message(Severity::warning, remark);
+        }
+        if (!metric_.empty()) {
+            bring_to_metric(surface, session, fill);
         }
         session.monitor.progress(0.9, "writing " + output_);
         for (const std::string& loss : write_mesh(output_, fill.mesh)) {
@@ -106,6 +119,20 @@ private:
             recovery.sizes = sizes_at(surface);
         }
         return options;
+    }
+
+    /// Our remesher does what TetGen cannot: sizes that depend on the direction.
+    void bring_to_metric(const Mesh<3>& surface, Session& session, Fill& fill) {
+        const MetricField<3> field = load_metric(metric_, surface, surface_);
+        const GrownMetric source(surface, field, growth_);
+        AdaptOptions options;
+        if (boundary_ == "keep") {
+            const std::set<int> patches(fill.mesh.patch.begin(), fill.mesh.patch.end());
+            options.features.frozen_patches.assign(patches.begin(), patches.end());
+        }
+        AdaptReport report;
+        fill.mesh = adapt(fill.mesh, source, options, report, session.monitor).mesh;
+        conformity_ = report.conformity;
     }
 
     static Vec<3> point_from(const std::string& option, const std::string& text) {
@@ -152,6 +179,10 @@ private:
     void show(const Fill& fill, Session& session) const {
         const auto nodes = static_cast<std::int64_t>(fill.mesh.points.size());
         const auto tets = static_cast<std::int64_t>(fill.mesh.elements.size());
+        Json adapted;
+        if (conformity_) {
+            adapted = to_json(*conformity_);
+        }
         if (session.json) {
             Json empty = Json::array();
             for (const Vec<3>& x : fill.empty) {
@@ -164,6 +195,7 @@ private:
                                 {"surface_nodes", fill.surface_nodes},
                                 {"added_nodes", fill.recovery.added_nodes},
                                 {"empty", empty},
+                                {"conformity", adapted},
                                 {"seconds", fill.recovery.seconds}}
                                .dump(2)
                         << '\n';
@@ -173,6 +205,9 @@ private:
                         << count_text(tets) << " tets, "
                         << plural(static_cast<std::int64_t>(fill.empty.size()), "part")
                         << " left empty; " << number_text(fill.recovery.seconds, 3) << " s\n";
+            if (conformity_) {
+                print_facts(session.out, conformity_facts(*conformity_));
+            }
         }
     }
 
@@ -180,6 +215,8 @@ private:
     std::string boundary_ = "keep";
     std::vector<std::string> holes_, regions_;
     double size_ = 0;
+    double growth_ = 0.2;
+    std::optional<Conformity> conformity_; ///< where a metric was given
     double radius_edge_ = RecoveryOptions{}.radius_edge;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/acceptance/run_ameco.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 using namespace ameco::test;
@@ -17,6 +19,7 @@ private slots:
     void fill_gives_a_valid_mesh_data();
     void fill_gives_a_valid_mesh();
     void fill_keeps_patches_and_names();
+    void fill_follows_a_metric();
     void fill_refuses_broken_surfaces_data();
     void fill_refuses_broken_surfaces();
     void fill_leaves_nothing_behind_when_it_fails();
@@ -176,6 +179,30 @@ void SurfaceRunTest::fill_keeps_patches_and_names() {
     for (const char* name : {"bottom", "top", "farfield-x0", "farfield-z1"}) {
         QVERIFY2(run.out.contains(name), run.text());
     }
+}
+
+/// A layer of 1e-3 on one side of a box, from a metric at its eight corners.
+void SurfaceRunTest::fill_follows_a_metric() {
+    if (!has_tetgen()) {
+        QSKIP("built without TetGen");
+    }
+    here_.write(
+        "box.mesh",
+        "MeshVersionFormatted 2\nDimension 3\nVertices 8\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+        "0 0 1 0\n1 0 1 0\n1 1 1 0\n0 1 1 0\nTriangles 12\n1 3 2 1\n1 4 3 1\n5 6 7 2\n5 7 8 2\n"
+        "1 2 6 3\n1 6 5 3\n2 3 7 4\n2 7 6 4\n3 4 8 5\n3 8 7 5\n4 1 5 6\n4 5 8 6\nEnd\n");
+    QByteArray metric = "MeshVersionFormatted 2\nDimension 3\nSolAtVertices 8\n1 3\n";
+    for (int corner = 0; corner < 8; ++corner) {
+        metric += corner < 4 ? "4 0 4 0 0 1e6\n" : "4 0 4 0 0 9\n";
+    }
+    here_.write("box.sol", metric + "End\n");
+    const Run run = here_.ameco({"fill", "box.mesh", "--metric", "box.sol", "--boundary", "split",
+                                 "-o", "layers.meshb", "--json"});
+    QVERIFY2(run.code == 0, run.text());
+    const auto json = nlohmann::json::parse(run.out.toStdString());
+    QVERIFY2(json["conformity"]["in_band"].get<double>() > 0.85, run.text());
+    QVERIFY2(json["nodes"].get<int>() > 100, run.text());
+    QCOMPARE(here_.ameco({"check", "layers.meshb"}).code, 0);
 }
 
 void SurfaceRunTest::fill_refuses_broken_surfaces_data() {
