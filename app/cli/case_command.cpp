@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/cli/body_layers.h"
 #include "app/cli/commands.h"
 #include "app/cli/help.h"
 #include "app/cli/mesh_input.h"
+#include "app/cli/options.h"
 #include "app/cli/report.h"
 #include "core/cases/cases.h"
+#include "core/cases/layer.h"
 #include "core/hierarchy/statistics_json.h"
 
 #include <CLI/CLI.hpp>
@@ -44,6 +47,13 @@ public:
         }
         require_suffix(output_, {".meshb", ".mesh"});
         const std::string& name = chosen()->get_name();
+        if (name == "layer" && !body_.surface.empty()) {
+            run_on_surface(session);
+            return ExitCode::ok;
+        }
+        if (name == "layer" && body_was_asked_for()) {
+            throw UsageError("case layer: --first-height, --layers and --farfield need --surface");
+        }
         session.monitor.progress(0, "making " + name);
         const auto mesh = make_case(name, given_parameters());
         session.monitor.progress(0.5, "writing " + output_);
@@ -52,6 +62,31 @@ public:
     }
 
 private:
+    [[nodiscard]] bool body_was_asked_for() const {
+        return chosen()->count("--first-height") + chosen()->count("--layers") +
+                   chosen()->count("--farfield") >
+               0;
+    }
+
+    void run_on_surface(Session& session) const {
+        const auto given = given_parameters();
+        for (const auto& [parameter, value] : given) {
+            if (parameter != "growth") {
+                throw UsageError("case layer --surface: --" + parameter +
+                                 " is a parameter of the plate");
+            }
+        }
+        double growth = LayerOptions{}.growth;
+        if (const auto text = given.find("growth"); text != given.end()) {
+            const auto number = numbers_from(text->second);
+            if (number.size() != 1 || number[0] < 1 || number[0] > 10) {
+                throw UsageError("layer: growth: " + text->second + " is not between 1 and 10");
+            }
+            growth = number[0];
+        }
+        body_.run(growth, output_, session);
+    }
+
     void add_case(CLI::App& app, const CaseDescription& description) {
         CLI::App* const sub = app.add_subcommand(description.name, description.summary);
         sub->fallthrough();
@@ -75,6 +110,9 @@ private:
             option->type_name("VALUE");
             option->default_str(parameter.default_value);
             option->group("Parameters");
+        }
+        if (description.name == "layer") {
+            body_.add_options(*sub);
         }
         apps_.push_back(sub);
     }
@@ -147,6 +185,7 @@ private:
     }
 
     bool list_ = false;
+    BodyLayers body_;
     std::string output_;
     std::map<std::string, std::string> values_; ///< "case parameter" -> what was given
     std::vector<const CLI::App*> apps_;

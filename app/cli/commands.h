@@ -9,9 +9,11 @@ namespace ameco::cli {
 
 [[nodiscard]] std::unique_ptr<Command> make_info_command();
 [[nodiscard]] std::unique_ptr<Command> make_check_command();
+[[nodiscard]] std::unique_ptr<Command> make_surface_command();
 [[nodiscard]] std::unique_ptr<Command> make_metric_command();
 [[nodiscard]] std::unique_ptr<Command> make_coarsen_command();
 [[nodiscard]] std::unique_ptr<Command> make_remesh_command();
+[[nodiscard]] std::unique_ptr<Command> make_fill_command();
 [[nodiscard]] std::unique_ptr<Command> make_transfer_command();
 [[nodiscard]] std::unique_ptr<Command> make_multigrid_command();
 [[nodiscard]] std::unique_ptr<Command> make_render_command();

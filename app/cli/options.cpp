@@ -82,6 +82,27 @@ CLI::Validator one_of(std::vector<std::string> words) {
     });
 }
 
+std::vector<double> numbers_from(const std::string& text) {
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (true) {
+        double value = 0;
+        const auto [stop, failure] = std::from_chars(at, end, value);
+        if (failure != std::errc() || !std::isfinite(value)) {
+            return {};
+        }
+        numbers.push_back(value);
+        if (stop == end) {
+            return numbers;
+        }
+        if (*stop != ',') {
+            return {};
+        }
+        at = stop + 1;
+    }
+}
+
 CLI::Option* add_setting(CLI::App& app, HierarchyOptions& options, std::string_view name,
                          const std::string& group, const std::string& short_name) {
     const Setting& s = setting(name);

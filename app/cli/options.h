@@ -23,6 +23,9 @@ namespace ameco::cli {
 /// Accepts one of the words.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
+/// Finite numbers with commas between them; empty when the text is something else.
+[[nodiscard]] std::vector<double> numbers_from(const std::string& text);
+
 /// Adds the option of a setting (core/hierarchy/settings.h): its name, help, default and test are
 /// those of the table. `options` must live as long as the parser.
 /// \param short_name  "n" for -n; may be empty

@@ -13,28 +13,6 @@ namespace {
 
 constexpr const char* place_type = "X,Y,Z";
 
-/// Numbers with commas between them; empty when the text is something else.
-std::vector<double> numbers_from(const std::string& text) {
-    std::vector<double> numbers;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (true) {
-        double value = 0;
-        const auto [stop, failure] = std::from_chars(at, end, value);
-        if (failure != std::errc() || !std::isfinite(value)) {
-            return {};
-        }
-        numbers.push_back(value);
-        if (stop == end) {
-            return numbers;
-        }
-        if (*stop != ',') {
-            return {};
-        }
-        at = stop + 1;
-    }
-}
-
 CLI::Validator numbers(std::size_t count, const std::string& wanted) {
     return {[count, wanted](const std::string& text) {
                 return numbers_from(text).size() == count ? std::string()

@@ -164,8 +164,9 @@ void approach(Stage<D>& stage, const MetricSource<D>& source, const AdaptOptions
         }
         left_before = left;
         const BackgroundMetric<D> on_the_way(stage.mesh, limited);
-        stage =
-            next_stage(stage, on_the_way, on_stages, options.stage_passes, true, report, monitor);
+        // How many stages will follow is not known: each takes a fifth of what is left of the bar.
+        MonitorPart part(monitor, 1 - std::pow(0.8, n), 1 - std::pow(0.8, n + 1));
+        stage = next_stage(stage, on_the_way, on_stages, options.stage_passes, true, report, part);
         set_targets(stage, source);
         ++report.stages;
     }

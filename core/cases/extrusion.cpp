@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cases/prism.h"
 #include "core/cases/random.h"
 #include "core/geometry/predicates.h"
 
@@ -13,36 +14,15 @@
 namespace ameco {
 namespace {
 
-/// Splits the prism over a facet of N columns into N simplices of N + 1 nodes. With the columns in
-/// order of rank, simplex i has the feet of columns 0 ... i and the tops of columns i ... N-1.
-template <std::size_t N, class Emit>
-void split_prism(std::array<int, N> facet, std::size_t foot, std::size_t top,
-                 const std::vector<std::uint64_t>& rank, const Emit& emit) {
-    bool odd = false;
-    for (std::size_t i = 1; i < N; ++i) { // insertion sort that keeps count of the swaps
-        for (std::size_t j = i; j > 0; --j) {
-            const auto a = static_cast<std::size_t>(facet[j - 1]);
-            const auto b = static_cast<std::size_t>(facet[j]);
-            if (std::pair(rank[a], a) < std::pair(rank[b], b)) {
-                break;
-            }
-            std::swap(facet[j - 1], facet[j]);
-            odd = !odd;
-        }
+/// The nodes of corners of a prism whose feet are numbered from `foot` and its tops from `top`.
+template <std::size_t N>
+std::array<NodeId, N> nodes_of(const std::array<PrismCorner, N>& corners, std::size_t foot,
+                               std::size_t top) {
+    std::array<NodeId, N> nodes;
+    for (std::size_t k = 0; k < N; ++k) {
+        nodes[k] = NodeId((corners[k].top ? top : foot) + corners[k].column);
     }
-    for (std::size_t i = 0; i < N; ++i) {
-        std::array<NodeId, N + 1> s;
-        for (std::size_t k = 0; k <= i; ++k) {
-            s[k] = NodeId(foot + static_cast<std::size_t>(facet[k]));
-        }
-        for (std::size_t k = i; k < N; ++k) {
-            s[k + 1] = NodeId(top + static_cast<std::size_t>(facet[k]));
-        }
-        if (odd != ((N - 1 - i) % 2 == 1)) {
-            std::swap(s[N - 1], s[N]);
-        }
-        emit(s);
-    }
+    return nodes;
 }
 
 /// Columns of the border opposite corner `i` of a facet, oriented as the facet's boundary.
@@ -135,12 +115,14 @@ Mesh<D> extrude(const Wall<D>& wall, std::vector<Vec<D>> points, const ColumnRan
             ranks[c] = rank(c, k);
         }
         for (const auto& facet : wall.facets) {
-            split_prism(facet, k * n, (k + 1) * n, ranks,
-                        [&](const Simplex<D>& s) { mesh.elements.push_back(s); });
+            split_prism(facet, ranks, [&](const std::array<PrismCorner, D + 1>& corners) {
+                mesh.elements.push_back(nodes_of(corners, k * n, (k + 1) * n));
+            });
         }
         for (const auto& side : wall.sides) {
             const auto b = border(wall.facets[side.facet], side.opposite);
-            split_prism(b.columns, k * n, (k + 1) * n, ranks, [&](Facet<D> face) {
+            split_prism(b.columns, ranks, [&](const std::array<PrismCorner, D>& corners) {
+                Facet<D> face = nodes_of(corners, k * n, (k + 1) * n);
                 if (b.reversed) {
                     std::swap(face[0], face[1]);
                 }

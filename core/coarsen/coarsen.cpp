@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/deviation.h"
 #include "core/metric/expected_nodes.h"
 #include "core/remesh/front_order.h"
 
@@ -98,24 +99,6 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
                           report.swaps, rest);
         report.seconds.swap += watch.lap();
         stop_if_asked(monitor);
-    }
-}
-
-template <int D>
-void measure_deviation(const Mesh<D>& mesh, const GeometryClasses<D>& geometry,
-                       CoarsenReport& report) {
-    for (const FaceId f : mesh.faces.ids()) {
-        double edges = 0;
-        int count = 0;
-        for (std::size_t i = 0; i + 1 < D; ++i) {
-            for (std::size_t j = i + 1; j < D; ++j) {
-                edges += (mesh.points[mesh.faces[f][i]] - mesh.points[mesh.faces[f][j]]).norm();
-                ++count;
-            }
-        }
-        report.deviation = std::max(report.deviation, geometry.deviation[f]);
-        report.deviation_relative =
-            std::max(report.deviation_relative, geometry.deviation[f] * count / edges);
     }
 }
 

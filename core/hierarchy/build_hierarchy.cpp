@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/rebuild.h"
 #include "core/coarsen/target_ratio.h"
 #include "core/metric/complexity.h"
 
@@ -95,6 +96,30 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
     return s;
 }
 
+void say_that_rebuilding_failed(const Error& error, Monitor& monitor) {
+    monitor.message(Severity::warning, std::string("not rebuilt: ") + error.what());
+}
+
+/// \throws UsageError  levels are to be rebuilt, and cannot be
+template <int D>
+void require_rebuildable(const HierarchyOptions& options) {
+    if (!options.rebuild) {
+        return;
+    }
+    if (D != 3) {
+        throw UsageError("--rebuild: only meshes in three dimensions can be rebuilt");
+    }
+    if (options.target_ratio > 0) {
+        throw UsageError("--rebuild: cannot aim at a ratio; leave --target-ratio out");
+    }
+    std::vector<double> factors = options.factors;
+    factors.push_back(options.coarsen.target.factor);
+    if (std::any_of(factors.begin(), factors.end(),
+                    [](double factor) { return coarsening_steps(factor) > 1; })) {
+        throw UsageError("--rebuild: a level is made in one step, with a --factor near 2");
+    }
+}
+
 template <int D>
 Level<D> next_level(const Level<D>& fine, int number, const HierarchyOptions& options,
                     CoarsenReport& report, Monitor& monitor) {
@@ -105,6 +130,17 @@ Level<D> next_level(const Level<D>& fine, int number, const HierarchyOptions& op
     if (!options.factors.empty()) {
         const auto level = static_cast<std::size_t>(number) - 1;
         coarsening.target.factor = options.factors[std::min(level, options.factors.size() - 1)];
+    }
+    if constexpr (D == 3) {
+        if (options.rebuild) {
+            try {
+                return rebuild_level(fine, coarsening, report, monitor);
+            } catch (const InputError& error) { // of TetGen
+                say_that_rebuilding_failed(error, monitor);
+            } catch (const CheckFailed& error) {
+                say_that_rebuilding_failed(error, monitor);
+            }
+        }
     }
     return coarsen(fine, coarsening, report, monitor);
 }
@@ -142,6 +178,7 @@ HierarchyEnd extend(Level<D> last, int number, double max_aspect_ratio, int firs
 template <int D>
 HierarchyEnd build_hierarchy(Mesh<D> mesh, const HierarchyOptions& options,
                              const LevelSink<D>& sink, Monitor& monitor) {
+    require_rebuildable<D>(options);
     try {
         LevelMonitor part(monitor, 0, share_before(1, 0, options.levels), 0);
         LevelTiming timing;
@@ -166,6 +203,7 @@ template <int D>
 HierarchyEnd extend_hierarchy(Level<D> last, int number, double max_aspect_ratio,
                               const HierarchyOptions& options, const LevelSink<D>& sink,
                               Monitor& monitor) {
+    require_rebuildable<D>(options);
     try {
         return extend(std::move(last), number, max_aspect_ratio, number + 1, options, sink,
                       monitor);

@@ -35,6 +35,8 @@ struct HierarchyOptions {
         0; ///< nodes of a level over those of the next, > 1; 0: as factors make it
     /// Ends the hierarchy at the first level with 95 % of its nodes below an aspect ratio of 5.
     bool until_isotropic = false;
+    /// Levels are made by `rebuild_level` where that is possible; D = 3 only.
+    bool rebuild = false;
     /// A level whose number of nodes falls by less than this ratio is not worth a level: it is
     /// thrown away and the hierarchy ends.
     double min_ratio = 1.05;

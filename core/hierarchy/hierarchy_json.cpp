@@ -52,6 +52,7 @@ Json settings_json(const Hierarchy& h) {
             {"factors", h.options.factors},
             {"target_ratio", h.options.target_ratio},
             {"until_isotropic", h.options.until_isotropic},
+            {"rebuild", h.options.rebuild ? "tetgen" : "none"},
             {"slack", o.target.slack},
             {"isotropic_below", o.target.isotropic_below},
             {"algorithm", name(o.target.algorithm)},
@@ -88,6 +89,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("factors").get_to(h.options.factors);
     json.at("target_ratio").get_to(h.options.target_ratio);
     json.at("until_isotropic").get_to(h.options.until_isotropic);
+    h.options.rebuild = json.value("rebuild", "none") == "tetgen"; // older files do not say
     json.at("slack").get_to(o.target.slack);
     json.at("isotropic_below").get_to(o.target.isotropic_below);
     o.target.algorithm = read_algorithm(json.at("algorithm").get<std::string>());

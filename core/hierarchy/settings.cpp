@@ -122,6 +122,20 @@ Setting mean_setting() {
     return s;
 }
 
+Setting rebuild_setting() {
+    Setting s;
+    s.name = "rebuild";
+    s.label = "Rebuild";
+    s.value_name = "HOW";
+    s.kind = Setting::Kind::choice;
+    s.choices = {"none", "tetgen"};
+    s.help = "make the elements of each level anew from its surface and nodes: none, tetgen; where "
+             "that fails, the level is made without";
+    s.value = [](const HierarchyOptions& o) { return std::string(o.rebuild ? "tetgen" : "none"); };
+    s.assign = [](HierarchyOptions& o, const std::string& word) { o.rebuild = word == "tetgen"; };
+    return s;
+}
+
 std::vector<Setting> make_settings() {
     std::vector<Setting> all{levels_setting(), until_isotropic_setting()};
     all.push_back(number_setting(
@@ -155,6 +169,7 @@ std::vector<Setting> make_settings() {
     all.push_back(number_setting(
         "ridge-angle", "Ridge angle", "DEG", "boundary edges that turn by more degrees are kept", 0,
         180, [](auto& o) -> auto& { return o.coarsen.features.ridge_angle_deg; }));
+    all.push_back(rebuild_setting());
     return all;
 }
 

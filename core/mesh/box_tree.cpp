@@ -78,6 +78,31 @@ std::int32_t BoxTree<D>::find(const Vec<D>& p,
 }
 
 template <int D>
+void BoxTree<D>::visit(const std::function<bool(const Box<D>&)>& enters,
+                       const std::function<void(std::int32_t)>& visit) const {
+    std::vector<std::int32_t> stack;
+    if (!nodes_.empty()) {
+        stack.push_back(0);
+    }
+    while (!stack.empty()) {
+        const std::int32_t at = stack.back();
+        stack.pop_back();
+        const TreeNode& node = nodes_[static_cast<std::size_t>(at)];
+        if (!enters(node.box)) {
+            continue;
+        }
+        if (node.right >= 0) {
+            stack.push_back(node.right);
+            stack.push_back(at + 1);
+            continue;
+        }
+        for (std::int32_t i = node.begin; i < node.end; ++i) {
+            visit(items_[static_cast<std::size_t>(i)]);
+        }
+    }
+}
+
+template <int D>
 std::int32_t BoxTree<D>::nearest(const Vec<D>& p,
                                  const std::function<double(std::int32_t)>& distance) const {
     std::int32_t best = -1;

@@ -28,6 +28,12 @@ public:
     [[nodiscard]] std::int32_t find(const Vec<D>& p,
                                     const std::function<bool(std::int32_t)>& visit) const;
 
+    /// Calls `visit(item)` for every item of the tree nodes whose box passes `enters`, a test that
+    /// a box passes if one inside it does. In no order that means anything; boxes of single items
+    /// are not tested.
+    void visit(const std::function<bool(const Box<D>&)>& enters,
+               const std::function<void(std::int32_t)>& visit) const;
+
     /// The item at the smallest distance, or -1 for an empty tree. Of items at equal distance the
     /// one with the smallest number.
     /// \param distance  distance from `p` to what is in the box, >= distance to the box

@@ -3,6 +3,7 @@
 
 #include "core/mesh/references.h"
 #include "core/mesh/simplex.h"
+#include "core/mesh/surface_edges.h"
 
 #include <Eigen/Geometry>
 
@@ -29,44 +30,21 @@ private:
     std::vector<Finding> list_;
 };
 
-/// An edge as one face runs through it.
-struct EdgeUse {
-    Edge edge; ///< sorted
-    bool ascending;
-    FaceId face;
-};
-
 std::string describe(const EdgeUse& use) {
     return "edge " + std::to_string(use.edge[0].value()) + " " +
            std::to_string(use.edge[1].value()) + " of face " + std::to_string(use.face.value());
 }
 
 void test_edges(const Mesh<3>& mesh, Findings& findings) {
-    std::vector<EdgeUse> uses;
-    uses.reserve(3 * mesh.faces.size());
-    for (const FaceId f : mesh.faces.ids()) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Edge edge{mesh.faces[f][k], mesh.faces[f][(k + 1) % 3]};
-            uses.push_back({sorted(edge), edge[0] < edge[1], f});
+    for_each_edge(edge_uses(mesh.faces), [&](std::span<const EdgeUse> uses) {
+        if (uses.size() == 1) {
+            findings.add(Defect::boundary_not_closed, describe(uses[0]));
+        } else if (uses.size() > 2) {
+            findings.add(Defect::boundary_not_manifold, describe(uses[0]));
+        } else if (uses[0].ascending == uses[1].ascending) {
+            findings.add(Defect::face_turned_inward, describe(uses[1]));
         }
-    }
-    std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-        return std::pair(a.edge, a.face) < std::pair(b.edge, b.face);
     });
-    for (std::size_t i = 0; i < uses.size();) {
-        std::size_t j = i + 1;
-        while (j < uses.size() && uses[j].edge == uses[i].edge) {
-            ++j;
-        }
-        if (j - i == 1) {
-            findings.add(Defect::boundary_not_closed, describe(uses[i]));
-        } else if (j - i > 2) {
-            findings.add(Defect::boundary_not_manifold, describe(uses[i]));
-        } else if (uses[i].ascending == uses[i + 1].ascending) {
-            findings.add(Defect::face_turned_inward, describe(uses[i + 1]));
-        }
-        i = j;
-    }
 }
 
 void test_duplicates(const Mesh<3>& mesh, Findings& findings) {

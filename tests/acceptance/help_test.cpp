@@ -25,9 +25,9 @@ private slots:
 
 namespace {
 
-const QStringList commands{"info",     "check",     "metric", "coarsen", "remesh",
-                           "transfer", "multigrid", "render", "report",  "convert",
-                           "formats",  "case",      "window"};
+const QStringList commands{"info",   "check",   "surface",  "metric",    "coarsen",
+                           "remesh", "fill",    "transfer", "multigrid", "render",
+                           "report", "convert", "formats",  "case",      "window"};
 
 constexpr const char* conduct =
     "Results go to standard output, everything else to standard error. `--json` gives the same\n"

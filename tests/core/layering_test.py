@@ -18,9 +18,11 @@ SOURCE = Path(os.environ["AMECO_SOURCE_DIR"])
 CHAIN = ["base", "geometry", "mesh", "metric", "remesh", "adapt", "coarsen", "hierarchy", "multigrid"]
 MAY_INCLUDE = {folder: set(CHAIN[:i]) for i, folder in enumerate(CHAIN)}
 MAY_INCLUDE["io"] = {"base", "geometry", "mesh", "metric"}
-MAY_INCLUDE["cases"] = {"base", "geometry", "mesh", "metric"}
+MAY_INCLUDE["cases"] = {"base", "geometry", "mesh", "metric", "surface", "recovery"}
 MAY_INCLUDE["surface"] = {"base", "geometry", "mesh"}
-MAY_INCLUDE["recovery"] = {"base", "geometry", "mesh"}
+MAY_INCLUDE["recovery"] = {"base", "geometry", "mesh", "surface"}
+# A level can be made anew from its surface.
+MAY_INCLUDE["coarsen"] |= {"surface", "recovery"}
 # A hierarchy is a folder of files.
 MAY_INCLUDE["hierarchy"].add("io")
 MAY_INCLUDE["multigrid"].add("io")

@@ -334,6 +334,7 @@ def hierarchy(
     mean: str = "blended",
     surface_deviation: float = 0.13,
     ridge_angle: float = 60.0,
+    rebuild: str = "none",
     freeze: Sequence[int | str] = (),
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -355,6 +356,7 @@ def hierarchy(
         mean=mean,
         surface_deviation=surface_deviation,
         ridge_angle=ridge_angle,
+        rebuild=rebuild,
         freeze=freeze,
     )
     made, status = _core.hierarchy(mesh, options, progress, cancel)

@@ -35,6 +35,7 @@ private slots:
     void to_a_triangle_knows_inside_edges_and_corners();
     void to_a_triangle_agrees_with_samples();
     void to_flat_things_is_to_what_is_left_of_them();
+    void the_closest_point_is_at_that_distance();
 };
 
 void DistanceTest::to_a_segment_is_to_its_nearest_point() {
@@ -92,6 +93,24 @@ void DistanceTest::to_flat_things_is_to_what_is_left_of_them() {
     QCOMPARE(distance(Vec<3>(7, 0, 4), line), 5.0);
     const Triangle point{Vec<3>(1, 1, 1), Vec<3>(1, 1, 1), Vec<3>(1, 1, 1)};
     QCOMPARE(distance(Vec<3>(1, 4, 5), point), 5.0);
+}
+
+void DistanceTest::the_closest_point_is_at_that_distance() {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> number(-1, 1);
+    const auto point = [&] { return Vec<3>(number(random), number(random), number(random)); };
+    for (int i = 0; i < 300; ++i) {
+        Triangle t{point(), point(), point()};
+        if (i % 3 == 0) { // a height of rounding only
+            t[2] = (t[0] + t[1]) / 2;
+        }
+        const Vec<3> p = 2 * point();
+        const Vec<3> q = closest_point(p, t);
+        QVERIFY(std::abs((p - q).norm() - distance(p, t)) < 1e-12);
+        QVERIFY(distance(q, t) < 1e-12);
+    }
+    QCOMPARE(closest_point({1, 4, 5}, {Vec<3>(1, 1, 1), Vec<3>(1, 1, 1), Vec<3>(1, 1, 1)}),
+             Vec<3>(1, 1, 1));
 }
 
 QTEST_APPLESS_MAIN(DistanceTest)

@@ -74,6 +74,7 @@ Hierarchy example() {
     h.options.factors = {2.5, 3};
     h.options.target_ratio = 2.125;
     h.options.until_isotropic = true;
+    h.options.rebuild = true;
     h.options.coarsen.features.frozen_patches = {1, 4};
     h.input.file = {"../wing.meshb", 0x1234u};
     h.input.format = "Medit binary, version 2";
@@ -99,6 +100,7 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QCOMPARE(read.options.factors, (std::vector<double>{2.5, 3}));
     QCOMPARE(read.options.target_ratio, 2.125);
     QVERIFY(read.options.until_isotropic);
+    QVERIFY(read.options.rebuild);
     QCOMPARE(read.levels[1].statistics.factor, 2.25);
     QCOMPARE(read.options.coarsen.target.algorithm, TargetAlgorithm::graded);
     QCOMPARE(read.options.coarsen.target.gradation, 1.25);

@@ -21,6 +21,7 @@ void SettingsTest::each_setting_takes_its_own_value_back() {
     HierarchyOptions unusual;
     unusual.levels = 7;
     unusual.until_isotropic = true;
+    unusual.rebuild = true;
     unusual.target_ratio = 1.9;
     unusual.coarsen.mean = Mean::geodesic;
     unusual.coarsen.target = {3, 1.5, 2.5, TargetAlgorithm::graded, 1.3};
