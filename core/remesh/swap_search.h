@@ -17,7 +17,7 @@ struct SwapOptions {
     double gain = 1.02;             ///< the worst quality must grow by this factor [-]
     double size_floor = 0.1;        ///< the size quality must stay above this or not fall [-]
     std::size_t largest_shell = 10; ///< elements around an edge that is swapped
-    int rounds = 3; ///< over the elements, at most
+    int rounds = 3;                 ///< over the elements, at most
 };
 
 /// Tries the swaps at an element: the shells of its edges, each starred from a node of its ring,
