@@ -100,7 +100,7 @@ class DefaultsTest(unittest.TestCase):
                 default = "off" if parameter.default is None else str(parameter.default)
                 self.assertEqual(defaults[name], re.sub(r"\.0$", "", default), name)
                 compared += 1
-        self.assertEqual(compared, 10)
+        self.assertEqual(compared, 11)
 
 
 if __name__ == "__main__":
