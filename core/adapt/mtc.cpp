@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/adapt/mtc.h"
 
-#include "core/adapt/edge_shell.h"
 #include "core/adapt/quality_order.h"
+#include "core/adapt/split_edges.h"
 #include "core/remesh/collapse.h"
+#include "core/remesh/edge_shell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,8 @@ public:
             for (const NodeId w : candidates_) {
                 Verdict verdict = compare(w);
                 if (verdict == Verdict::accepted) {
-                    verdict = judge_swapped_boundary(mesh_, surface_, cavity_, w, star_);
+                    verdict = judge_swapped_boundary(mesh_.edit, surface_, mesh_.short_size(w),
+                                                     cavity_, w, star_);
                 }
                 keep_or_note(verdict, w);
             }

@@ -2,12 +2,24 @@
 #include "core/adapt/split_edges.h"
 
 #include "core/adapt/edge_queue.h"
-#include "core/adapt/edge_shell.h"
+#include "core/remesh/edge_shell.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ameco {
 namespace {
+
+/// Where along an edge from a to b the two parts have the same length, when the density of length
+/// goes geometrically from l_a to l_b.
+double middle(double l_a, double l_b) {
+    const double r = std::log(l_b / l_a);
+    if (std::abs(r) < 1e-3) {
+        return 0.5 + r / 8;
+    }
+    constexpr double nearest_end = 0.1;
+    return std::clamp(std::log(0.5 * (1 + std::exp(r))) / r, nearest_end, 1 - nearest_end);
+}
 
 template <int D>
 class Splitter {
@@ -94,6 +106,17 @@ private:
 } // namespace
 
 template <int D>
+NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell) {
+    const bool boundary = at_boundary(mesh.edit, shell);
+    const NodeClass node_class = mesh.edit.is_ridge(a, b) ? NodeClass::ridge
+                                 : boundary               ? NodeClass::patch
+                                                          : NodeClass::interior;
+    const Vec<D> e = mesh.edit.point(b) - mesh.edit.point(a);
+    const Vec<D> p = mesh.edit.point(a) + middle(mesh.length_at(a, e), mesh.length_at(b, e)) * e;
+    return mesh.add_node(p, a, node_class, boundary);
+}
+
+template <int D>
 std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
                               VerdictCounts& verdicts) {
     std::vector<LongEdge> queue =
@@ -110,6 +133,8 @@ std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, in
     return made;
 }
 
+template NodeId add_middle_node(UnitMesh<2>&, NodeId, NodeId, const Cavity<2>&);
+template NodeId add_middle_node(UnitMesh<3>&, NodeId, NodeId, const Cavity<3>&);
 template std::int64_t split_long_edges(UnitMesh<2>&, const SplitOptions&, int, VerdictCounts&);
 template std::int64_t split_long_edges(UnitMesh<3>&, const SplitOptions&, int, VerdictCounts&);
 

@@ -15,6 +15,11 @@ struct SplitOptions {
     double quality_share = 0.5;       ///< the worst quality may fall to this share of what it was
 };
 
+/// Adds the node that halves an edge in the metric. No element has it yet.
+/// \param shell  of the edge a, b
+template <int D>
+NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell);
+
 /// Splits edges, the longest first: the shell of the edge is starred from a new node on it. Edges
 /// made on the way are left to the next call.
 /// \param since  only edges with an end that has changed since are looked at

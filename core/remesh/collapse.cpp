@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/collapse.h"
 
+#include "core/remesh/edge_shell.h"
+
 #include <algorithm>
 
 namespace ameco {
-namespace {
-
-template <int D>
-bool share_boundary_edge(const EditMesh<D>& mesh, NodeId a, NodeId b) {
-    const auto ball = mesh.ball(a);
-    return std::any_of(ball.begin(), ball.end(), [&](ElementId e) {
-        const Simplex<D>& s = mesh.nodes(e);
-        return mesh.is_ghost(e) && std::find(s.begin(), s.end(), b) != s.end();
-    });
-}
-
-} // namespace
 
 template <int D>
 Verdict allowed_by_geometry(const EditMesh<D>& mesh, Collapse collapse) {
@@ -24,7 +14,7 @@ Verdict allowed_by_geometry(const EditMesh<D>& mesh, Collapse collapse) {
         return Verdict::accepted;
     case NodeClass::patch:
         return mesh.on_boundary(collapse.kept) &&
-                       share_boundary_edge(mesh, collapse.removed, collapse.kept)
+                       is_boundary_edge(mesh, collapse.removed, collapse.kept)
                    ? Verdict::accepted
                    : Verdict::geometry_class;
     case NodeClass::ridge:

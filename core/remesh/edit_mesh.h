@@ -57,8 +57,13 @@ public:
     [[nodiscard]] NodeClass node_class(NodeId v) const { return class_[v]; }
     [[nodiscard]] bool on_boundary(NodeId v) const { return on_boundary_[v] != 0; }
 
+    /// Whether an edge is on a ridge. Lines listed by a file may run inside the domain too; the
+    /// nodes of all of them are ridge nodes or frozen, which is quickly seen.
     [[nodiscard]] bool is_ridge(NodeId a, NodeId b) const {
-        return ridges_.find(sorted(Edge{a, b})) != ridges_.end();
+        const auto may_be = [&](NodeId v) {
+            return class_[v] == NodeClass::ridge || class_[v] == NodeClass::frozen;
+        };
+        return may_be(a) && may_be(b) && ridges_.find(sorted(Edge{a, b})) != ridges_.end();
     }
     /// Whether a face of the boundary is one that must stay as it is.
     [[nodiscard]] bool is_required(const Facet<D>& face) const;

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/mesh/simplex.h"
-#include "core/remesh/cavity.h"
-#include "core/remesh/surface_rules.h"
+#include "core/remesh/edge_shell.h"
 
 #include <algorithm>
 #include <vector>
@@ -63,12 +62,6 @@ public:
 
 private:
     void try_edge(NodeId a, NodeId b) {
-        // Listed lines may run inside the domain too; all their nodes are ridge nodes or frozen.
-        const bool ridge = may_be_on_ridge(a) && may_be_on_ridge(b) && mesh_.is_ridge(a, b);
-        if (ridge || protected_inside<2>({a, b})) {
-            note(Verdict::geometry_class);
-            return;
-        }
         if (!is_worst_at(a, b)) {
             return; // this shell is the matter of a worse element
         }
@@ -77,27 +70,12 @@ private:
             note(Verdict::cavity_too_large);
             return;
         }
-        if (!one_label() || touches_frozen_face()) {
-            note(Verdict::region_border);
+        const Verdict allowed = allowed_to_leave(mesh_, a, b, cavity_);
+        if (allowed != Verdict::accepted) {
+            note(allowed);
             return;
         }
-        // On the boundary only the two nodes beside the ghost will do: a star from one behind them
-        // would pull it to the surface.
-        const bool at_boundary = std::any_of(cavity_.elements.begin(), cavity_.elements.end(),
-                                             [&](ElementId e) { return mesh_.is_ghost(e); });
-        ring_.clear();
-        for (const ElementId e : cavity_.elements) {
-            if (at_boundary && !mesh_.is_ghost(e)) {
-                continue;
-            }
-            for (const NodeId v : mesh_.nodes(e)) {
-                if (v != a && v != b && v != mesh_.ghost()) {
-                    ring_.push_back(v);
-                }
-            }
-        }
-        std::sort(ring_.begin(), ring_.end());
-        ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
+        shell_ring(mesh_, a, b, cavity_, ring_);
         try_stars(ring_);
     }
 
@@ -119,13 +97,13 @@ private:
             return;
         }
         const Simplex<D>& s = mesh_.nodes(e);
-        std::array<NodeId, D> face;
+        Facet<D> face;
         std::copy_if(s.begin(), s.end(), face.begin(), [&](NodeId w) { return w != v; });
         if (rules_.quality(behind) < rules_.quality(e)) {
             return;
         }
         gather_pair(mesh_, e, behind, cavity_);
-        if (protected_inside<D>(face) || !one_label()) {
+        if (protected_inside(face) || !has_one_label(mesh_, cavity_)) {
             note(Verdict::region_border);
             return;
         }
@@ -134,12 +112,10 @@ private:
     }
 
     void try_stars(const std::vector<NodeId>& nodes) {
-        const bool any_ghost = std::any_of(cavity_.elements.begin(), cavity_.elements.end(),
-                                           [&](ElementId e) { return mesh_.is_ghost(e); });
         rules_.look_at(cavity_);
         const double needed = rules_.quality(element_) * options_.gain;
         for (const NodeId node : nodes) {
-            const Verdict verdict = judge_star(node, std::max(needed, best_quality_), any_ghost);
+            const Verdict verdict = judge_star(node, std::max(needed, best_quality_));
             if (verdict == Verdict::accepted) {
                 std::swap(best_star_, star_);
                 best_cavity_ = cavity_;
@@ -150,7 +126,7 @@ private:
     }
 
     /// Builds and judges the star of the cavity from `node`; when accepted, best_quality_ is its.
-    Verdict judge_star(NodeId node, double needed, bool any_ghost) {
+    Verdict judge_star(NodeId node, double needed) {
         join_star(mesh_, cavity_, node, star_);
         double worst = 1;
         for (const EditElement<D>& e : star_.elements) {
@@ -163,8 +139,9 @@ private:
         }
         // Exact signs cost more than the quality, which is 0 where they are clearly wrong.
         Verdict verdict = test_star(mesh_, star_);
-        if (verdict == Verdict::accepted && any_ghost) {
-            verdict = judge_boundary(node);
+        if (verdict == Verdict::accepted) {
+            verdict = judge_swapped_boundary(mesh_, surface_, rules_.short_size(node), cavity_,
+                                             node, star_);
         }
         if (verdict == Verdict::accepted) {
             verdict = rules_.judge(cavity_, star_);
@@ -175,76 +152,15 @@ private:
         return verdict;
     }
 
-    Verdict judge_boundary(NodeId node) {
-        // The new boundary edge must not exist elsewhere already.
-        for (const EditElement<D>& e : star_.elements) {
-            if (e.nodes[D] == mesh_.ghost()) {
-                for (int i = 0; i < D; ++i) {
-                    const NodeId v = e.nodes[i];
-                    if (v != node && !in_ghost_of_cavity(node, v) && boundary_edge(node, v)) {
-                        return Verdict::link_condition;
-                    }
-                }
-            }
-        }
-        return judge_surface(mesh_, cavity_, rules_.short_size(node), surface_, star_);
-    }
-
-    bool boundary_edge(NodeId a, NodeId b) const {
-        const auto ball = mesh_.ball(a);
-        return std::any_of(ball.begin(), ball.end(), [&](ElementId e) {
-            return mesh_.is_ghost(e) && has(mesh_.nodes(e), b);
-        });
-    }
-
-    bool in_ghost_of_cavity(NodeId a, NodeId b) const {
-        return std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
-            return mesh_.is_ghost(e) && has(mesh_.nodes(e), a) && has(mesh_.nodes(e), b);
-        });
-    }
-
     static bool has(const Simplex<D>& s, NodeId v) {
         return std::find(s.begin(), s.end(), v) != s.end();
     }
 
-    /// All real elements of one region, all boundary faces of one patch.
-    bool one_label() const {
-        const EditElement<D>* real = nullptr;
-        const EditElement<D>* ghost = nullptr;
-        for (const ElementId e : cavity_.elements) {
-            const EditElement<D>*& first = mesh_.is_ghost(e) ? ghost : real;
-            if (first == nullptr) {
-                first = &mesh_.element(e);
-            } else if (first->label != mesh_.element(e).label) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /// A boundary face all of whose nodes are frozen belongs to a frozen patch or is required, or
-    /// might: it stays.
-    bool touches_frozen_face() const {
-        return std::any_of(cavity_.elements.begin(), cavity_.elements.end(), [&](ElementId e) {
-            if (!mesh_.is_ghost(e)) {
-                return false;
-            }
-            const Facet<D> face = ghost_face<D>(mesh_.nodes(e));
-            return std::all_of(face.begin(), face.end(),
-                               [&](NodeId v) { return mesh_.node_class(v) == NodeClass::frozen; });
-        });
-    }
-
-    bool may_be_on_ridge(NodeId v) const {
-        const NodeClass c = mesh_.node_class(v);
-        return c == NodeClass::ridge || c == NodeClass::frozen;
-    }
-
-    template <std::size_t N>
-    bool protected_inside(const std::array<NodeId, N>& nodes) const {
-        return mesh_.has_protected_inside() &&
-               std::all_of(nodes.begin(), nodes.end(),
-                           [&](NodeId v) { return mesh_.node_class(v) == NodeClass::frozen; });
+    /// Faces inside the domain, and those of required elements, have frozen nodes only.
+    bool protected_inside(const Facet<D>& face) const {
+        return mesh_.has_protected_inside() && std::all_of(face.begin(), face.end(), [&](NodeId v) {
+                   return mesh_.node_class(v) == NodeClass::frozen;
+               });
     }
 
     /// The element behind the facet of `e` opposite `v`.

@@ -14,13 +14,13 @@
 /// The cases cube-8, layer-1e3 and m6-8k take meshes to the metric of their next coarser level, and
 /// print the ratio of nodes, fine over coarse.
 #include "core/adapt/adapt.h"
-#include "core/cases/analytic_metric.h"
 #include "core/cases/cube.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
 #include "core/coarsen/target_metric.h"
 #include "core/io/io.h"
 #include "core/metric/nodal_metric.h"
+#include "tests/bench/analytic_metric.h"
 
 #include <sys/resource.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "core/cases/analytic_metric.h"
+#include "tests/bench/analytic_metric.h"
 
 #include <algorithm>
 #include <cmath>
