@@ -82,13 +82,17 @@ public:
             throw UsageError("--radius-edge: below 1.1 no end of refining is in sight");
         }
         const Mesh<3> surface = load_surface(surface_, session);
-        const FillOptions options = options_for(surface);
+        MetricField<3> field;
+        if (!metric_.empty()) {
+            field = load_metric(metric_, surface, surface_);
+        }
+        const FillOptions options = options_for(field);
         Fill fill = fill_surface(surface, options, surface_, session.monitor);
         for (const std::string& remark : fill.recovery.remarks) {
             session.monitor.message(Severity::warning, remark);
         }
         if (!metric_.empty()) {
-            bring_to_metric(surface, session, fill);
+            bring_to_metric(surface, field, session, fill);
         }
         session.monitor.progress(0.9, "writing " + output_);
         for (const std::string& loss : write_mesh(output_, fill.mesh)) {
@@ -100,7 +104,7 @@ public:
     }
 
 private:
-    [[nodiscard]] FillOptions options_for(const Mesh<3>& surface) const {
+    [[nodiscard]] FillOptions options_for(const MetricField<3>& field) const {
         FillOptions options;
         RecoveryOptions& recovery = options.recovery;
         recovery.faces = boundary_ == "keep" ? GivenFaces::keep : GivenFaces::split;
@@ -115,15 +119,15 @@ private:
         if (!farfield_.empty()) {
             options.farfield = farfield_from(farfield_);
         }
-        if (!metric_.empty()) {
-            recovery.sizes = sizes_at(surface);
+        for (const Metric<3>& metric : field) { // of a tet of the same volume
+            recovery.sizes.push_back(std::cbrt(metric.sizes.prod()));
         }
         return options;
     }
 
     /// Our remesher does what TetGen cannot: sizes that depend on the direction.
-    void bring_to_metric(const Mesh<3>& surface, Session& session, Fill& fill) {
-        const MetricField<3> field = load_metric(metric_, surface, surface_);
+    void bring_to_metric(const Mesh<3>& surface, const MetricField<3>& field, Session& session,
+                         Fill& fill) {
         const GrownMetric source(surface, field, growth_);
         AdaptOptions options;
         if (boundary_ == "keep") {
@@ -168,20 +172,15 @@ private:
         return seed;
     }
 
-    [[nodiscard]] std::vector<double> sizes_at(const Mesh<3>& surface) const {
-        std::vector<double> sizes;
-        for (const auto& metric : load_metric(metric_, surface, surface_)) {
-            sizes.push_back(std::cbrt(metric.sizes.prod()));
-        }
-        return sizes;
-    }
-
     void show(const Fill& fill, Session& session) const {
         const auto nodes = static_cast<std::int64_t>(fill.mesh.points.size());
         const auto tets = static_cast<std::int64_t>(fill.mesh.elements.size());
-        Json adapted;
+        // Where the mesh was adapted, what TetGen added says nothing any more.
+        Json conformity, added;
         if (conformity_) {
-            adapted = to_json(*conformity_);
+            conformity = to_json(*conformity_);
+        } else {
+            added = fill.recovery.added_nodes;
         }
         if (session.json) {
             Json empty = Json::array();
@@ -193,15 +192,16 @@ private:
                                 {"elements", tets},
                                 {"boundary_faces", fill.mesh.faces.size()},
                                 {"surface_nodes", fill.surface_nodes},
-                                {"added_nodes", fill.recovery.added_nodes},
+                                {"added_nodes", added},
                                 {"empty", empty},
-                                {"conformity", adapted},
+                                {"conformity", conformity},
                                 {"seconds", fill.recovery.seconds}}
                                .dump(2)
                         << '\n';
         } else if (session.verbosity >= 0) {
             session.out << output_ << ": " << count_text(nodes) << " nodes, "
-                        << count_text(fill.recovery.added_nodes) << " of them new, "
+                        << (conformity_ ? ""
+                                        : count_text(fill.recovery.added_nodes) + " of them new, ")
                         << count_text(tets) << " tets, "
                         << plural(static_cast<std::int64_t>(fill.empty.size()), "part")
                         << " left empty; " << number_text(fill.recovery.seconds, 3) << " s\n";

@@ -4,6 +4,7 @@
 #include "app/cli/multigrid_pairs.h"
 #include "app/cli/options.h"
 #include "app/cli/report.h"
+#include "core/base/stop_check.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/statistics_json.h"
 #include "core/io/atomic_file.h"
@@ -166,9 +167,7 @@ private:
         }
         Json pairs = Json::array();
         for (std::size_t k = 0; k + 1 < grids.meshes.size(); ++k) {
-            if (session.monitor.stop_requested()) {
-                throw Cancelled();
-            }
+            stop_if_asked(session.monitor);
             session.monitor.progress(0.3 + 0.5 * static_cast<double>(k) /
                                                static_cast<double>(grids.meshes.size()),
                                      "two-grid cycles");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/multigrid_pairs.h"
 
+#include "core/base/stop_check.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/io.h"
 
@@ -77,9 +78,7 @@ StudyGrids<D> read_study_grids(const Hierarchy& hierarchy, const std::filesystem
         if (k > 0) {
             grids.transfers.push_back(make_transfer(grids.meshes[k - 1], grids.meshes[k]));
         }
-        if (monitor.stop_requested()) {
-            throw Cancelled();
-        }
+        stop_if_asked(monitor);
     }
     return grids;
 }

@@ -77,8 +77,9 @@ public:
             ->check(one_of(interpolations()));
         app.add_flag("--node-nested", options_.node_nested,
                      "only take nodes away: no new ones, and none is moved");
-        app.add_option("--engine", engine_,
-                       "fast, or mtc: the paper's iteration until stagnation, slower [fast]")
+        app.add_option(
+               "--engine", engine_,
+               "fast, or mtc: the paper's iteration until stagnation, less conforming [fast]")
             ->type_name("ENGINE")
             ->check(one_of(names_of(all_engines)));
         app.add_option("--quality", quality_,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/mesh_input.h"
+#include "core/base/stop_check.h"
 #include "core/base/text.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/hierarchy/pictures.h"
@@ -114,9 +115,7 @@ private:
             transfers.push_back(make_transfer(meshes[k], meshes[k + 1], {}));
         }
         for (const ReportCycle& cycle : report_cycles) {
-            if (session.monitor.stop_requested()) {
-                throw Cancelled();
-            }
+            stop_if_asked(session.monitor);
             session.monitor.progress(0.5 + 0.15 * static_cast<double>(content.cycles.size()),
                                      "multigrid");
             const LevelEquations equations =

@@ -4,7 +4,9 @@
 #include "core/adapt/limited_metric.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/metric/expected_nodes.h"
 #include "core/metric/nodal_metric.h"
 
@@ -16,6 +18,16 @@
 namespace ameco {
 namespace {
 
+/// Nodes and elements are numbered by 32 bits; there are 6 or 7 elements per node.
+void require_countable(double nodes) {
+    constexpr double most = 3e8;
+    if (!(nodes <= most)) {
+        throw InputError("the metric asks for about " + number_text(nodes, 2) +
+                         " nodes, but no more than " + number_text(most, 2) +
+                         " can be numbered: make its sizes larger");
+    }
+}
+
 template <int D>
 std::int64_t count_nodes(const EditMesh<D>& mesh) {
     std::int64_t count = 0;
@@ -26,8 +38,8 @@ std::int64_t count_nodes(const EditMesh<D>& mesh) {
 }
 
 template <int D>
-AdaptPass run_sweep(UnitMesh<D>& mesh, const AdaptOptions& options, int since,
-                    AdaptReport& report) {
+AdaptPass run_sweep(UnitMesh<D>& mesh, const AdaptOptions& options, int since, AdaptReport& report,
+                    const Monitor& monitor) {
     const auto made = [&] {
         return std::array{report.splits[Verdict::accepted], report.collapses[Verdict::accepted],
                           report.swaps[Verdict::accepted], report.moves[Verdict::accepted]};
@@ -36,25 +48,28 @@ AdaptPass run_sweep(UnitMesh<D>& mesh, const AdaptOptions& options, int since,
     mtc.new_places = mtc.new_places && !options.node_nested;
     const auto before = made();
     (void)mtc_sweep(mesh, mtc, options.surface, since,
-                    {report.collapses, report.moves, report.swaps, report.splits});
+                    {report.collapses, report.moves, report.swaps, report.splits}, monitor);
     const auto after = made();
     return {count_nodes(mesh.edit), after[0] - before[0], after[1] - before[1],
             after[2] - before[2], after[3] - before[3]};
 }
 
 template <int D>
-AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, AdaptReport& report) {
+AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, AdaptReport& report,
+                   const Monitor& monitor) {
     AdaptPass pass;
-    pass.collapses =
-        collapse_short_edges(mesh, options.collapse, options.surface, since, report.collapses);
-    pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+    pass.collapses = collapse_short_edges(mesh, options.collapse, options.surface, since,
+                                          report.collapses, monitor);
+    pass.swaps +=
+        swap_to_quality(mesh, options.swap, options.surface, since, report.swaps, monitor);
     if (!options.node_nested) {
-        pass.splits = split_long_edges(mesh, options.split, since, report.splits);
-        pass.swaps += swap_to_quality(mesh, options.swap, options.surface, since, report.swaps);
+        pass.splits = split_long_edges(mesh, options.split, since, report.splits, monitor);
+        pass.swaps +=
+            swap_to_quality(mesh, options.swap, options.surface, since, report.swaps, monitor);
     }
     pass.nodes = count_nodes(mesh.edit);
     if (!options.node_nested) {
-        pass.moves = move_nodes(mesh, options.move, since, report.moves);
+        pass.moves = move_nodes(mesh, options.move, since, report.moves, monitor);
     }
     return pass;
 }
@@ -97,13 +112,12 @@ void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptR
     int since = 0;
     for (int n = 0; n < most; ++n) {
         monitor.progress(static_cast<double>(n) / most, "adapting");
-        if (monitor.stop_requested()) {
-            throw Cancelled();
-        }
+        stop_if_asked(monitor);
         const int now = mesh.tick();
         const bool mtc = options.engine == Engine::mtc;
-        report.passes.push_back(mtc ? run_sweep(mesh, options, since, report)
-                                    : run_pass(mesh, options, since, report));
+        report.passes.push_back(mtc ? run_sweep(mesh, options, since, report, monitor)
+                                    : run_pass(mesh, options, since, report, monitor));
+        stop_if_asked(monitor); // what was done last may have been cut short
         const AdaptPass& pass = report.passes.back();
         since = now;
         const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;
@@ -205,6 +219,7 @@ Adapted<D> adapt(const Mesh<D>& mesh, const MetricSource<D>& source, const Adapt
     report.nodes_before = static_cast<std::int64_t>(mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(mesh.elements.size());
     Stage<D> stage = first_stage(mesh, source, options.features);
+    require_countable(expected_nodes(mesh, stage.target));
     report.conformity_before = conformity(mesh, stage.target);
     if (!mtc) {
         MonitorPart part(monitor, 0, 0.4);

@@ -78,6 +78,7 @@ struct Adapted {
 /// \param mesh  valid, with its boundary faces
 /// \throws UsageError when the engine is `mtc` and the quality the shape, which knows no sizes
 /// \throws Cancelled when asked to stop; nothing is left half done
+/// \throws InputError when the metric asks for more nodes than can be numbered
 /// \see docs/theory/adaptation.md
 template <int D>
 [[nodiscard]] Adapted<D> adapt(const Mesh<D>& mesh, const MetricSource<D>& source,

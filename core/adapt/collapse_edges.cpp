@@ -41,7 +41,7 @@ private:
             return verdict;
         }
         gather_ball(mesh_.edit, collapse.removed, ball_);
-        mesh_.neighbours(collapse.removed, neighbours_);
+        mesh_.edit.neighbours(collapse.removed, neighbours_);
         double longest = options_.longest;
         for (const NodeId v : neighbours_) {
             longest = std::max(longest, mesh_.length(collapse.removed, v));
@@ -83,12 +83,17 @@ private:
 
 template <int D>
 std::int64_t collapse_short_edges(UnitMesh<D>& mesh, const CollapseOptions& options,
-                                  const SurfaceRules& surface, int since, VerdictCounts& verdicts) {
+                                  const SurfaceRules& surface, int since, VerdictCounts& verdicts,
+                                  const Monitor& monitor) {
     const std::vector<LongEdge> queue =
         edges_by_length(mesh, since, [&](double length) { return length < options.below; });
     Collapser<D> collapser(mesh, options, surface);
     std::int64_t made = 0;
+    StopCheck stop(monitor);
     for (const LongEdge& edge : queue) {
+        if (stop.asked()) {
+            break;
+        }
         // A collapse keeps the edges that do not end in the node it removes.
         if (!mesh.edit.is_removed(edge.nodes[0]) && !mesh.edit.is_removed(edge.nodes[1])) {
             const Verdict verdict = collapser.collapse(edge.nodes);
@@ -100,8 +105,10 @@ std::int64_t collapse_short_edges(UnitMesh<D>& mesh, const CollapseOptions& opti
 }
 
 template std::int64_t collapse_short_edges(UnitMesh<2>&, const CollapseOptions&,
-                                           const SurfaceRules&, int, VerdictCounts&);
+                                           const SurfaceRules&, int, VerdictCounts&,
+                                           const Monitor&);
 template std::int64_t collapse_short_edges(UnitMesh<3>&, const CollapseOptions&,
-                                           const SurfaceRules&, int, VerdictCounts&);
+                                           const SurfaceRules&, int, VerdictCounts&,
+                                           const Monitor&);
 
 } // namespace ameco

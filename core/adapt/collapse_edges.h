@@ -20,6 +20,7 @@ struct CollapseOptions {
 /// \return  number of nodes removed
 template <int D>
 std::int64_t collapse_short_edges(UnitMesh<D>& mesh, const CollapseOptions& options,
-                                  const SurfaceRules& surface, int since, VerdictCounts& verdicts);
+                                  const SurfaceRules& surface, int since, VerdictCounts& verdicts,
+                                  const Monitor& monitor = Monitor::silent());
 
 } // namespace ameco

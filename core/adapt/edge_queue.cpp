@@ -16,7 +16,7 @@ std::vector<LongEdge> edges_by_length(const UnitMesh<D>& mesh, int since,
         if (mesh.edit.is_removed(v) || !mesh.changed_since(v, since)) {
             continue;
         }
-        mesh.neighbours(v, neighbours);
+        mesh.edit.neighbours(v, neighbours);
         for (const NodeId w : neighbours) {
             if (w < v && mesh.changed_since(w, since)) {
                 continue; // seen from w

@@ -171,7 +171,7 @@ private:
     }
 
     bool collect_line(NodeId v) {
-        mesh_.neighbours(v, neighbours_);
+        mesh_.edit.neighbours(v, neighbours_);
         guides_.clear();
         std::copy_if(neighbours_.begin(), neighbours_.end(), std::back_inserter(guides_),
                      [&](NodeId w) { return mesh_.edit.is_ridge(v, w); });
@@ -255,10 +255,14 @@ private:
 
 template <int D>
 std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
-                        VerdictCounts& verdicts) {
+                        VerdictCounts& verdicts, const Monitor& monitor) {
     Mover<D> mover(mesh, options);
     std::int64_t made = 0;
+    StopCheck stop(monitor);
     for (const NodeId v : mesh.edit.nodes()) {
+        if (stop.asked()) {
+            break;
+        }
         if (!mesh.edit.is_removed(v) && mesh.changed_since(v, since)) {
             const Verdict verdict = mover.move(v);
             verdicts.add(verdict);
@@ -268,7 +272,9 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
     return made;
 }
 
-template std::int64_t move_nodes(UnitMesh<2>&, const MoveOptions&, int, VerdictCounts&);
-template std::int64_t move_nodes(UnitMesh<3>&, const MoveOptions&, int, VerdictCounts&);
+template std::int64_t move_nodes(UnitMesh<2>&, const MoveOptions&, int, VerdictCounts&,
+                                 const Monitor&);
+template std::int64_t move_nodes(UnitMesh<3>&, const MoveOptions&, int, VerdictCounts&,
+                                 const Monitor&);
 
 } // namespace ameco

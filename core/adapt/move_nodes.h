@@ -20,6 +20,6 @@ struct MoveOptions {
 /// \return  number of moves made
 template <int D>
 std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
-                        VerdictCounts& verdicts);
+                        VerdictCounts& verdicts, const Monitor& monitor = Monitor::silent());
 
 } // namespace ameco

@@ -23,7 +23,7 @@ public:
     bool mend_ball(NodeId v) {
         gather_ball(mesh_.edit, v, cavity_);
         start();
-        mesh_.neighbours(v, candidates_);
+        mesh_.edit.neighbours(v, candidates_);
         for (const NodeId w : candidates_) {
             const Collapse collapse{.removed = v, .kept = w};
             Verdict verdict = allowed_by_geometry(mesh_.edit, collapse);
@@ -172,29 +172,30 @@ private:
 
 template <int D>
 std::int64_t mtc_sweep(UnitMesh<D>& mesh, const MtcOptions& options, const SurfaceRules& surface,
-                       int since, const MtcVerdicts& verdicts) {
+                       int since, const MtcVerdicts& verdicts, const Monitor& monitor) {
     Mtc<D> mtc(mesh, options, surface, verdicts);
     std::int64_t made = 0;
+    StopCheck stop(monitor);
     const std::size_t nodes = mesh.edit.node_count();
-    for (std::size_t i = 0; i < nodes; ++i) {
+    for (std::size_t i = 0; i < nodes && !stop.asked(); ++i) {
         const NodeId v(i);
         if (!mesh.edit.is_removed(v) && mesh.changed_since(v, since)) {
             made += mtc.mend_ball(v) ? 1 : 0;
         }
     }
     std::vector<NodeId> neighbours, now;
-    for (std::size_t i = 0; i < nodes; ++i) {
+    for (std::size_t i = 0; i < nodes && !stop.asked(); ++i) {
         const NodeId v(i);
         if (mesh.edit.is_removed(v) || !mesh.changed_since(v, since)) {
             continue;
         }
-        mesh.neighbours(v, neighbours);
+        mesh.edit.neighbours(v, neighbours);
         for (const NodeId w : neighbours) {
             if (w < v || !mesh.changed_since(w, since)) {
                 continue;
             }
             // The shells before this one may have taken the edge away.
-            mesh.neighbours(v, now);
+            mesh.edit.neighbours(v, now);
             if (std::binary_search(now.begin(), now.end(), w)) {
                 made += mtc.mend_shell(v, w) ? 1 : 0;
             }
@@ -204,8 +205,8 @@ std::int64_t mtc_sweep(UnitMesh<D>& mesh, const MtcOptions& options, const Surfa
 }
 
 template std::int64_t mtc_sweep(UnitMesh<2>&, const MtcOptions&, const SurfaceRules&, int,
-                                const MtcVerdicts&);
+                                const MtcVerdicts&, const Monitor&);
 template std::int64_t mtc_sweep(UnitMesh<3>&, const MtcOptions&, const SurfaceRules&, int,
-                                const MtcVerdicts&);
+                                const MtcVerdicts&, const Monitor&);
 
 } // namespace ameco

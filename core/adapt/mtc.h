@@ -33,6 +33,7 @@ struct MtcVerdicts {
 /// \return  number of cavities that were filled anew; 0 is stagnation
 template <int D>
 std::int64_t mtc_sweep(UnitMesh<D>& mesh, const MtcOptions& options, const SurfaceRules& surface,
-                       int since, const MtcVerdicts& verdicts);
+                       int since, const MtcVerdicts& verdicts,
+                       const Monitor& monitor = Monitor::silent());
 
 } // namespace ameco

@@ -86,7 +86,7 @@ private:
             return false;
         }
         for (const NodeId v : near_) {
-            mesh_.neighbours(v, neighbours_);
+            mesh_.edit.neighbours(v, neighbours_);
             for (const NodeId w : neighbours_) {
                 if (is_too_near(m, w, shortest)) {
                     return true;
@@ -118,13 +118,17 @@ NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& s
 
 template <int D>
 std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
-                              VerdictCounts& verdicts) {
+                              VerdictCounts& verdicts, const Monitor& monitor) {
     std::vector<LongEdge> queue =
         edges_by_length(mesh, since, [&](double length) { return length > options.above; });
     std::reverse(queue.begin(), queue.end());
     Splitter<D> splitter(mesh, options);
     std::int64_t made = 0;
+    StopCheck stop(monitor);
     for (const LongEdge& edge : queue) {
+        if (stop.asked()) {
+            break;
+        }
         // No split removes another edge of the queue, and no node moves.
         const Verdict verdict = splitter.split(edge.nodes[0], edge.nodes[1], edge.length);
         verdicts.add(verdict);
@@ -135,7 +139,9 @@ std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, in
 
 template NodeId add_middle_node(UnitMesh<2>&, NodeId, NodeId, const Cavity<2>&);
 template NodeId add_middle_node(UnitMesh<3>&, NodeId, NodeId, const Cavity<3>&);
-template std::int64_t split_long_edges(UnitMesh<2>&, const SplitOptions&, int, VerdictCounts&);
-template std::int64_t split_long_edges(UnitMesh<3>&, const SplitOptions&, int, VerdictCounts&);
+template std::int64_t split_long_edges(UnitMesh<2>&, const SplitOptions&, int, VerdictCounts&,
+                                       const Monitor&);
+template std::int64_t split_long_edges(UnitMesh<3>&, const SplitOptions&, int, VerdictCounts&,
+                                       const Monitor&);
 
 } // namespace ameco

@@ -26,6 +26,6 @@ NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& s
 /// \return  number of splits made
 template <int D>
 std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
-                              VerdictCounts& verdicts);
+                              VerdictCounts& verdicts, const Monitor& monitor = Monitor::silent());
 
 } // namespace ameco

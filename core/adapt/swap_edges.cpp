@@ -26,16 +26,21 @@ private:
 
 template <int D>
 std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
-                             const SurfaceRules& surface, int since, VerdictCounts& verdicts) {
+                             const SurfaceRules& surface, int since, VerdictCounts& verdicts,
+                             const Monitor& monitor) {
     QualityRules<D> rules(mesh);
     SwapSearch<D, QualityRules<D>> search(mesh.edit, rules, options, surface, verdicts);
     std::int64_t made = 0;
+    StopCheck stop(monitor);
     for (int round = 0; round < options.rounds; ++round) {
         const int now = mesh.tick();
         const std::int64_t before = made;
         const std::size_t slots = mesh.edit.slot_count();
         for (std::size_t i = 0; i < slots; ++i) {
             const ElementId e(i);
+            if (stop.asked()) {
+                return made;
+            }
             if (mesh.edit.is_free(e) || mesh.edit.is_ghost(e) ||
                 rules.quality(e) >= options.below) {
                 continue;
@@ -55,8 +60,8 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
 }
 
 template std::int64_t swap_to_quality(UnitMesh<2>&, const SwapOptions&, const SurfaceRules&, int,
-                                      VerdictCounts&);
+                                      VerdictCounts&, const Monitor&);
 template std::int64_t swap_to_quality(UnitMesh<3>&, const SwapOptions&, const SurfaceRules&, int,
-                                      VerdictCounts&);
+                                      VerdictCounts&, const Monitor&);
 
 } // namespace ameco

@@ -13,6 +13,7 @@ namespace ameco {
 /// \return  number of swaps made
 template <int D>
 std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
-                             const SurfaceRules& surface, int since, VerdictCounts& verdicts);
+                             const SurfaceRules& surface, int since, VerdictCounts& verdicts,
+                             const Monitor& monitor = Monitor::silent());
 
 } // namespace ameco

@@ -94,20 +94,6 @@ Verdict UnitMesh<D>::judge(double least, Star<D>& star) const {
 }
 
 template <int D>
-void UnitMesh<D>::neighbours(NodeId v, std::vector<NodeId>& out) const {
-    out.clear();
-    for (const ElementId e : edit.ball(v)) {
-        for (const NodeId w : edit.nodes(e)) {
-            if (w != v && w != edit.ghost()) {
-                out.push_back(w);
-            }
-        }
-    }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-}
-
-template <int D>
 void UnitMesh<D>::replace(const Cavity<D>& cavity, const Star<D>& star) {
     (void)edit.replace(cavity.elements, star.elements, star.sources);
     for (const EditElement<D>& e : star.elements) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/adapt/metric_source.h"
+#include "core/base/stop_check.h"
 #include "core/metric/edge_length.h"
 #include "core/remesh/cavity.h"
 #include "core/remesh/metric_quality.h"
@@ -73,9 +74,6 @@ public:
     /// not above `least`.
     /// \return  accepted or low_quality
     [[nodiscard]] Verdict judge(double least, Star<D>& star) const;
-
-    /// Nodes that share an edge with v, ascending.
-    void neighbours(NodeId v, std::vector<NodeId>& out) const;
 
     /// Says that the elements at a node have changed; \see changed_since.
     void touch(NodeId v) { touched_[v] = clock_; }

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop_check.h"
 #include "core/cases/prism.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/simplex.h"
@@ -257,9 +258,7 @@ SurfaceColumns find_columns(const Mesh<3>& surface, const SurfaceLayerOptions& o
     // Every round shortens columns, each of which can be halved ten times, or ends.
     constexpr int most_rounds = 500;
     for (int round = 0; round < most_rounds; ++round) {
-        if (monitor.stop_requested()) {
-            throw Cancelled();
-        }
+        stop_if_asked(monitor);
         monitor.progress(1 - std::pow(0.9, round), "keeping columns apart");
         std::vector<FaceId> wrong = folded_prisms(columns, surface, rank, asked);
         if (wrong.empty()) {

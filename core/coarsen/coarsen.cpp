@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/coarsen/coarsen.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
-#include "core/coarsen/deviation.h"
-#include "core/metric/expected_nodes.h"
+#include "core/coarsen/level_report.h"
 #include "core/remesh/front_order.h"
 
 namespace ameco {
 namespace {
-
-void stop_if_asked(const Monitor& monitor) {
-    if (monitor.stop_requested()) {
-        throw Cancelled();
-    }
-}
 
 template <int D>
 IdVector<NodeId, Mat<D>> length_factors(const MetricField<D>& field) {
@@ -53,24 +46,12 @@ void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelDa
     }
 }
 
-template <int D>
-void set_size_qualities(EditMesh<D>& mesh, const SizeField<D>& sizes) {
-    parallel_for(mesh.slot_count(), 8192, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const ElementId e(i);
-            if (!mesh.is_free(e) && !mesh.is_ghost(e)) {
-                mesh.set_measure(e, static_cast<float>(size_quality(mesh, sizes, mesh.nodes(e))));
-            }
-        }
-    });
-}
-
 /// Removal and swaps, in turns.
 template <int D>
 void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
-    set_size_qualities(mesh, data.sizes);
+    measure_size_quality(mesh, data.sizes);
     RemovedNodes<D> removed(
         data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
     const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes,      data.natural,
@@ -100,22 +81,6 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
         report.seconds.swap += watch.lap();
         stop_if_asked(monitor);
     }
-}
-
-template <int D>
-MetricField<D> restricted(const MetricField<D>& field, const IdVector<NodeId, NodeId>& parent) {
-    MetricField<D> out(parent.size());
-    for (const NodeId v : parent.ids()) {
-        out[v] = field[parent[v]];
-    }
-    return out;
-}
-
-/// Its number of nodes times the quotient of what the metrics ask for.
-template <int D>
-double predicted_nodes(const Level<D>& fine, const MetricField<D>& target) {
-    return static_cast<double>(fine.mesh.points.size()) * expected_nodes(fine.mesh, target) /
-           expected_nodes(fine.mesh, fine.natural);
 }
 
 /// One step: lines across layers lose at most every other node.
@@ -160,7 +125,7 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
         throw std::logic_error("the coarse mesh is not valid: " + report.check.summary());
     }
     measure_deviation(coarse.mesh, coarse.geometry, report);
-    report.conformity = conformity(coarse.mesh, restricted(target, coarse.parent));
+    report.conformity = conformity(coarse.mesh, at_parents(target, coarse.parent));
     report.seconds.check += watch.lap();
     monitor.progress(0.95, "measuring the new mesh");
     coarse.natural = nodal_metric(coarse.mesh, options.mean);
@@ -234,7 +199,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     }
     report.factor = options.target.factor;
     report.predicted_nodes = predicted_nodes(fine, target);
-    report.conformity = conformity(level.mesh, restricted(target, level.parent));
+    report.conformity = conformity(level.mesh, at_parents(target, level.parent));
     return level;
 }
 

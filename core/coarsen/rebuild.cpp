@@ -2,11 +2,11 @@
 #include "core/coarsen/rebuild.h"
 
 #include "core/base/error.h"
+#include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
-#include "core/coarsen/deviation.h"
+#include "core/coarsen/level_report.h"
 #include "core/mesh/facets.h"
 #include "core/metric/edge_length.h"
-#include "core/metric/expected_nodes.h"
 #include "core/recovery/fill.h"
 #include "core/remesh/front_order.h"
 #include "core/surface/boundary_surface.h"
@@ -221,29 +221,16 @@ Skeleton make_skeleton(const Level<3>& fine, const Thinned& thinned,
     return s;
 }
 
-/// The nodes that share an element with `v`, but for the ghost.
-std::vector<NodeId> neighbours_of(const EditMesh<3>& mesh, NodeId v) {
-    std::vector<NodeId> neighbours;
-    for (const ElementId e : mesh.ball(v)) {
-        for (const NodeId w : mesh.nodes(e)) {
-            if (w != v && w != mesh.ghost()) {
-                neighbours.push_back(w);
-            }
-        }
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    return neighbours;
-}
-
 /// Collapses a node onto the neighbour that leaves the best elements. \return whether there is one
 bool collapse_away(EditMesh<3>& mesh, NodeId v, const SizeField<3>& sizes,
                    const SurfaceRules& rules) {
     Cavity<3> ball;
     Star<3> star, best_star;
+    std::vector<NodeId> neighbours;
     gather_ball(mesh, v, ball);
+    mesh.neighbours(v, neighbours);
     NodeId best;
-    for (const NodeId w : neighbours_of(mesh, v)) {
+    for (const NodeId w : neighbours) {
         if (propose_collapse(mesh, sizes, rules, {.floor = 0, .share = 0}, 1e300,
                              {.removed = v, .kept = w}, ball, star) == Verdict::accepted &&
             (!best.valid() || star.worst_quality > best_star.worst_quality)) {
@@ -276,11 +263,12 @@ std::vector<NodeId> collapse_added(EditMesh<3>& mesh, NodeId first, const SizeFi
 /// without it.
 std::vector<NodeId> hindrances(const EditMesh<3>& mesh, const std::vector<NodeId>& left,
                                std::size_t given) {
-    std::vector<NodeId> found;
+    std::vector<NodeId> found, neighbours;
     for (const NodeId v : left) {
         NodeId closest;
         const auto distance = [&](NodeId w) { return (mesh.point(w) - mesh.point(v)).norm(); };
-        for (const NodeId w : neighbours_of(mesh, v)) {
+        mesh.neighbours(v, neighbours);
+        for (const NodeId w : neighbours) {
             if (w.index() < given && !mesh.on_boundary(w) &&
                 mesh.node_class(w) == NodeClass::interior &&
                 (!closest.valid() || distance(w) < distance(closest))) {
@@ -323,12 +311,7 @@ MetricField<3> metric_at(const Mesh<3>& mesh, const MetricField<3>& target,
 void swap_to_metric(EditMesh<3>& mesh, const Mesh<3>& built, const MetricField<3>& field,
                     const SizeField<3>& sizes, const CoarsenOptions& options, CoarsenReport& report,
                     Monitor& monitor) {
-    for (std::size_t i = 0; i < mesh.slot_count(); ++i) {
-        const ElementId e(i);
-        if (!mesh.is_free(e) && !mesh.is_ghost(e)) {
-            mesh.set_measure(e, static_cast<float>(size_quality(mesh, sizes, mesh.nodes(e))));
-        }
-    }
+    measure_size_quality(mesh, sizes);
     const std::size_t n = built.points.size();
     Lines none;
     none.previous.resize(n);
@@ -408,9 +391,7 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     const MetricField<3> target = target_metric(fine.mesh, fine.natural, options.target);
-    report.predicted_nodes = static_cast<double>(report.nodes_before) *
-                             expected_nodes(fine.mesh, target) /
-                             expected_nodes(fine.mesh, fine.natural);
+    report.predicted_nodes = predicted_nodes(fine, target);
     report.conformity_before = conformity(fine.mesh, fine.natural);
     report.seconds.metric = watch.lap();
 
@@ -438,9 +419,7 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     MonitorPart building(monitor, 0.3, 0.85);
     Built built = build(fine, target, thinned, stays, options, report, building);
     report.seconds.swap = watch.lap();
-    if (monitor.stop_requested()) {
-        throw Cancelled();
-    }
+    stop_if_asked(monitor);
 
     auto& compact = built.compact;
     Level<3> coarse{std::move(compact.mesh), std::move(compact.classes), {}, {}};
@@ -455,11 +434,7 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     if (!report.check.valid()) {
         throw CheckFailed("the rebuilt mesh is not valid: " + report.check.summary());
     }
-    MetricField<3> restricted(coarse.parent.size());
-    for (const NodeId v : coarse.parent.ids()) {
-        restricted[v] = target[coarse.parent[v]];
-    }
-    report.conformity = conformity(coarse.mesh, restricted);
+    report.conformity = conformity(coarse.mesh, at_parents(target, coarse.parent));
     measure_deviation(coarse.mesh, coarse.geometry, report);
     report.seconds.check = watch.lap();
     monitor.progress(0.95, "measuring the new mesh");

@@ -79,7 +79,7 @@ private:
 
     /// In the first pass onto kept nodes that are too close; later onto any node that is not far.
     bool remove_off_line(NodeId v, bool first_pass) {
-        collect_neighbours(v);
+        mesh_.neighbours(v, neighbours_);
         bool crowded = false;
         candidates_.clear();
         for (const NodeId w : neighbours_) {
@@ -205,19 +205,6 @@ private:
             edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
         const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);
         return target < untouched + (reach - untouched) * stretched;
-    }
-
-    void collect_neighbours(NodeId v) {
-        neighbours_.clear();
-        for (const ElementId e : mesh_.ball(v)) {
-            for (const NodeId w : mesh_.nodes(e)) {
-                if (w != v && w != mesh_.ghost()) {
-                    neighbours_.push_back(w);
-                }
-            }
-        }
-        std::sort(neighbours_.begin(), neighbours_.end());
-        neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
     }
 
     EditMesh<D>& mesh_;

@@ -52,34 +52,21 @@ std::int32_t BoxTree<D>::build(const std::vector<Box<D>>& boxes, std::int32_t be
 template <int D>
 std::int32_t BoxTree<D>::find(const Vec<D>& p,
                               const std::function<bool(std::int32_t)>& visit) const {
-    std::vector<std::int32_t> stack;
-    if (!nodes_.empty()) {
-        stack.push_back(0);
-    }
-    while (!stack.empty()) {
-        const std::int32_t at = stack.back();
-        stack.pop_back();
-        const TreeNode& node = nodes_[static_cast<std::size_t>(at)];
-        if (!node.box.contains(p)) {
-            continue;
-        }
-        if (node.right >= 0) {
-            stack.push_back(node.right);
-            stack.push_back(at + 1);
-            continue;
-        }
-        for (std::int32_t i = node.begin; i < node.end; ++i) {
-            if (visit(items_[static_cast<std::size_t>(i)])) {
-                return items_[static_cast<std::size_t>(i)];
-            }
-        }
-    }
-    return -1;
+    return first([&](const Box<D>& box) { return box.contains(p); }, visit);
 }
 
 template <int D>
 void BoxTree<D>::visit(const std::function<bool(const Box<D>&)>& enters,
                        const std::function<void(std::int32_t)>& visit) const {
+    (void)first(enters, [&](std::int32_t item) {
+        visit(item);
+        return false;
+    });
+}
+
+template <int D>
+std::int32_t BoxTree<D>::first(const std::function<bool(const Box<D>&)>& enters,
+                               const std::function<bool(std::int32_t)>& takes) const {
     std::vector<std::int32_t> stack;
     if (!nodes_.empty()) {
         stack.push_back(0);
@@ -97,9 +84,12 @@ void BoxTree<D>::visit(const std::function<bool(const Box<D>&)>& enters,
             continue;
         }
         for (std::int32_t i = node.begin; i < node.end; ++i) {
-            visit(items_[static_cast<std::size_t>(i)]);
+            if (takes(items_[static_cast<std::size_t>(i)])) {
+                return items_[static_cast<std::size_t>(i)];
+            }
         }
     }
+    return -1;
 }
 
 template <int D>

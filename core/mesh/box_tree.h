@@ -47,6 +47,8 @@ private:
         std::int32_t begin = 0, end = 0; ///< of a leaf, in items_
     };
     std::int32_t build(const std::vector<Box<D>>& boxes, std::int32_t begin, std::int32_t end);
+    [[nodiscard]] std::int32_t first(const std::function<bool(const Box<D>&)>& enters,
+                                     const std::function<bool(std::int32_t)>& takes) const;
 
     std::vector<TreeNode> nodes_;
     std::vector<std::int32_t> items_;

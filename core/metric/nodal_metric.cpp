@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/metric/nodal_metric.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop_check.h"
 #include "core/mesh/adjacency.h"
 #include "core/metric/element_metric.h"
 #include "core/metric/geodesic_mean.h"
@@ -88,9 +88,7 @@ MetricField<D> node_by_node(const Mesh<D>& mesh, Mean mean, Monitor& monitor) {
     // The first failure in the order of the nodes, whichever thread meets one first.
     std::vector<std::optional<std::string>> failures((nodes_at_once + piece - 1) / piece);
     for (std::size_t first = 0; first < n; first += nodes_at_once) {
-        if (monitor.stop_requested()) {
-            throw Cancelled();
-        }
+        stop_if_asked(monitor);
         monitor.progress(static_cast<double>(first) / static_cast<double>(n), "natural metric");
         const std::size_t size = std::min(nodes_at_once, n - first);
         parallel_for(size, piece, [&](std::size_t begin, std::size_t end) {
@@ -128,9 +126,7 @@ MetricField<D> nodal_metric(const Mesh<D>& mesh, Mean mean, Monitor& monitor) {
     Averaging<D> averaging(mesh, mean);
     const std::size_t m = mesh.elements.size();
     for (std::size_t first = 0; first < m; first += block_size) {
-        if (monitor.stop_requested()) {
-            throw Cancelled();
-        }
+        stop_if_asked(monitor);
         monitor.progress(static_cast<double>(first) / static_cast<double>(m), "natural metric");
         averaging.add_block(first);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/multigrid/transfer.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/stop_check.h"
 #include "core/mesh/barycentric.h"
 #include "core/mesh/boundary_projection.h"
 #include "core/mesh/locate.h"
@@ -248,9 +248,7 @@ Transfer make_transfer(const Mesh<D>& fine, const Mesh<D>& coarse,
     }
     monitor.progress(0.0, "locating nodes");
     const auto rows = RowFinder<D>(fine, coarse, coarse_of).run();
-    if (monitor.stop_requested()) {
-        throw Cancelled();
-    }
+    stop_if_asked(monitor);
     transfer.kind.resize(rows.size());
     for (const NodeId v : rows.ids()) {
         transfer.kind[v] = rows[v].kind;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/cavity.h"
 
+#include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 
 #include <algorithm>
@@ -161,6 +162,18 @@ Verdict judge(const EditMesh<D>& mesh, const SizeField<D>& sizes, double floor, 
 }
 
 template <int D>
+void measure_size_quality(EditMesh<D>& mesh, const SizeField<D>& sizes) {
+    parallel_for(mesh.slot_count(), 8192, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ElementId e(i);
+            if (!mesh.is_free(e) && !mesh.is_ghost(e)) {
+                mesh.set_measure(e, static_cast<float>(size_quality(mesh, sizes, mesh.nodes(e))));
+            }
+        }
+    });
+}
+
+template <int D>
 double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
     double worst = 1;
     for (const ElementId e : cavity.elements) {
@@ -180,6 +193,7 @@ double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
     template Verdict test_star(const EditMesh<D>&, const Star<D>&);                                \
     template Verdict make_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);            \
     template Verdict judge(const EditMesh<D>&, const SizeField<D>&, double, Star<D>&);             \
+    template void measure_size_quality(EditMesh<D>&, const SizeField<D>&);                         \
     template double worst_quality(const EditMesh<D>&, const Cavity<D>&);
 
 AMECO_INSTANTIATE(2)

@@ -69,6 +69,10 @@ template <int D>
 [[nodiscard]] Verdict judge(const EditMesh<D>& mesh, const SizeField<D>& sizes, double floor,
                             Star<D>& star);
 
+/// Computes the size quality of all elements, as their measure: what `worst_quality` compares.
+template <int D>
+void measure_size_quality(EditMesh<D>& mesh, const SizeField<D>& sizes);
+
 /// Smallest size quality of the cavity's elements as they stand; 1 if there are none.
 template <int D>
 [[nodiscard]] double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity);

@@ -98,6 +98,20 @@ void EditMesh<D>::fill_balls() {
 }
 
 template <int D>
+void EditMesh<D>::neighbours(NodeId v, std::vector<NodeId>& out) const {
+    out.clear();
+    for (const ElementId e : ball(v)) {
+        for (const NodeId w : elements_[e].nodes) {
+            if (w != v && w != ghost_) {
+                out.push_back(w);
+            }
+        }
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+template <int D>
 void EditMesh<D>::add_to_ball(NodeId v, ElementId e) {
     Ball& b = ball_[v];
     if (b.size == b.capacity) {

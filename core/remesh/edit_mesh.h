@@ -53,6 +53,8 @@ public:
         return {pool_.data() + ball_[v].start, static_cast<std::size_t>(ball_[v].size)};
     }
     [[nodiscard]] bool is_removed(NodeId v) const { return ball_[v].size == 0; }
+    /// The nodes that share an edge with a node, ascending; the ghost is not among them.
+    void neighbours(NodeId v, std::vector<NodeId>& out) const;
 
     [[nodiscard]] NodeClass node_class(NodeId v) const { return class_[v]; }
     [[nodiscard]] bool on_boundary(NodeId v) const { return on_boundary_[v] != 0; }

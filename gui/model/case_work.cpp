@@ -2,6 +2,7 @@
 #include "gui/model/case_work.h"
 
 #include "core/base/error.h"
+#include "core/base/stop_check.h"
 #include "core/base/text.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/format.h"
@@ -84,9 +85,7 @@ void tell_repairs(const fs::path& path, const BoundaryRepair& repair, Monitor& m
 }
 
 void stop_if_asked(const Monitor& monitor) {
-    if (monitor.stop_requested()) {
-        throw Cancelled();
-    }
+    stop_if_asked(monitor);
 }
 
 /// A surface has no metric and cannot be coarsened, but it can be looked at.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gui/model/convergence_work.h"
 
-#include "core/base/error.h"
+#include "core/base/stop_check.h"
 #include "core/multigrid/invariants.h"
 #include "core/multigrid/study.h"
 #include "core/multigrid/transfer.h"
@@ -10,9 +10,7 @@ namespace ameco::gui {
 namespace {
 
 void go_on(Monitor& monitor, double fraction, const std::string& step) {
-    if (monitor.stop_requested()) {
-        throw Cancelled();
-    }
+    stop_if_asked(monitor);
     monitor.progress(fraction, step);
 }
 

@@ -40,6 +40,16 @@ private slots:
         QCOMPARE(here_.ameco({"check", "fine.mesh"}).code, 0);
     }
 
+    void runs_the_papers_engine() {
+        const Run run = here_.ameco({"remesh", "cube.meshb", "--size", "0.4", "--engine", "mtc",
+                                     "--quality", "original", "-o", "mtc.meshb", "--json"});
+        QVERIFY2(run.code == 0, run.text());
+        const Json json = Json::parse(run.out.toStdString());
+        QVERIFY(json["engine"] == "mtc" && json["quality"] == "original");
+        QVERIFY(json["nodes"].get<int>() < json["nodes_before"].get<int>());
+        QCOMPARE(here_.ameco({"check", "mtc.meshb"}).code, 0);
+    }
+
     void prints_verdicts_when_asked() {
         const Run run =
             here_.ameco({"remesh", "cube.meshb", "--size", "0.2", "-o", "v.meshb", "-v"});
@@ -70,6 +80,13 @@ private slots:
         QTest::newRow("size 0") << QStringList{"remesh",  "cube.meshb", "-o",
                                                "x.meshb", "--size",     "0"}
                                 << 2 << "--size";
+        QTest::newRow("more nodes than numbers")
+            << QStringList{"remesh", "cube.meshb", "-o", "x.meshb", "--size", "1e-9"} << 5
+            << "make its sizes larger";
+        QTest::newRow("an engine that needs sizes")
+            << QStringList{"remesh", "cube.meshb", "-o",  "x.meshb",   "--size",
+                           "1",      "--engine",   "mtc", "--quality", "shape"}
+            << 2 << "knows no sizes";
         QTest::newRow("the metric of another mesh")
             << QStringList{"remesh", "cube.meshb", "-o", "x.meshb", "--metric", "coarse.solb"} << 5
             << "give the metric that was made for this mesh";

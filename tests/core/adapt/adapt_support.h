@@ -101,6 +101,16 @@ struct Bench {
     }
 };
 
+/// Whether all nodes of a mesh are at places of nodes of another.
+[[nodiscard]] inline bool has_nodes_of(const Mesh<3>& mesh, const Mesh<3>& other) {
+    std::set<std::array<double, 3>> places;
+    for (const Vec<3>& p : other.points) {
+        places.insert(remesh_test::key_of<3>(p));
+    }
+    return std::all_of(mesh.points.begin(), mesh.points.end(),
+                       [&](const Vec<3>& p) { return places.contains(remesh_test::key_of<3>(p)); });
+}
+
 /// Rules of a boundary with plane sides: it may not move at all.
 inline constexpr SurfaceRules plane_sides{
     .largest_turn_deg = 30, .relative_distance = 1e-9, .layer_share = 1e9};

@@ -12,12 +12,16 @@ using namespace ameco::adapt_test;
 
 namespace {
 
-/// Stops the first time it is asked.
-class StopAtOnce : public Monitor {
+/// Stops from the n-th question on.
+class StopAt : public Monitor {
 public:
+    explicit StopAt(int question) : left_(question) {}
     void message(Severity, std::string_view) override {}
     void progress(double, std::string_view) override {}
-    [[nodiscard]] bool stop_requested() const override { return true; }
+    [[nodiscard]] bool stop_requested() const override { return --left_ <= 0; }
+
+private:
+    mutable int left_;
 };
 
 } // namespace
@@ -79,13 +83,7 @@ private slots:
         options.node_nested = true;
         const auto adapted = adapt(mesh, UniformMetric<3>(0.3), options, report);
         QVERIFY(adapted.mesh.points.size() < mesh.points.size() / 2);
-        std::set<std::array<double, 3>> old;
-        for (const Vec<3>& p : mesh.points) {
-            old.insert(remesh_test::key_of<3>(p));
-        }
-        for (const Vec<3>& p : adapted.mesh.points) {
-            QVERIFY(old.contains(remesh_test::key_of<3>(p)));
-        }
+        QVERIFY(has_nodes_of(adapted.mesh, mesh));
     }
 
     void regions_and_the_faces_between_them_stay() {
@@ -113,9 +111,32 @@ private slots:
         set_thread_count(0);
     }
 
+    void a_metric_that_asks_for_too_many_nodes_is_refused() {
+        const Mesh<3> mesh = make_cube<3>({.n = 2});
+        AdaptReport report;
+        QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(1e-9), {}, report), InputError);
+        QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(1e-160), {}, report),
+                                 InputError);
+    }
+
+    void a_stop_in_the_middle_is_obeyed_data() {
+        QTest::addColumn<int>("question");
+        for (const int question : {2, 3, 5, 9, 20}) {
+            QTest::addRow("question %d", question) << question;
+        }
+    }
+    void a_stop_in_the_middle_is_obeyed() {
+        QFETCH(int, question);
+        StopAt monitor(question);
+        AdaptReport report;
+        QVERIFY_EXCEPTION_THROWN(
+            (void)adapt(make_cube<3>({.n = 4}), UniformMetric<3>(0.08), {}, report, monitor),
+            Cancelled);
+    }
+
     void it_can_be_stopped() {
         const Mesh<3> mesh = make_cube<3>({.n = 3});
-        StopAtOnce monitor;
+        StopAt monitor(1);
         AdaptReport report;
         QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(0.1), {}, report, monitor),
                                  Cancelled);
