@@ -158,7 +158,7 @@ private:
                 ->group(group);
         add_setting(app, options_, "target-ratio", group)->excludes(factor);
         for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
-                                 "surface-deviation", "ridge-angle", "rebuild"}) {
+                                 "surface-deviation", "ridge-angle", "nodes", "rebuild"}) {
             add_setting(app, options_, name, group);
         }
         app.add_option("--freeze", freeze_,

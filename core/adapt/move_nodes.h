@@ -11,6 +11,8 @@ struct MoveOptions {
     double below = 0.9;  ///< nodes with an element of a quality below this are tried [-]
     double gain = 1.002; ///< the harmonic mean of the qualities must grow by this factor [-]
     int halvings = 3;    ///< of a step that is refused
+    double farthest =
+        1e300; ///< from the node's place when the UnitMesh was made, in the metric [-]
 };
 
 /// Moves nodes, in the order of their ids, towards the place from which their neighbours are one

@@ -16,10 +16,10 @@ namespace ameco {
 ///    surface comes too near to go as well;
 /// 3. TetGen makes a mesh of the coarse surface and the nodes that stay; nodes that it adds are
 ///    collapsed;
-/// 4. swaps bring the mesh near the target metric.
+/// 4. swaps bring the mesh near the target metric, and moves of nodes if the options say so.
 ///
-/// The level is like one made by `coarsen`: node-nested, and valid. Meshes with several regions,
-/// faces inside, or required edges, faces or elements cannot be made so.
+/// The level is like one made by `coarsen`: of nodes of the fine one, and valid. Meshes with
+/// several regions, faces inside, or required edges, faces or elements cannot be made so.
 ///
 /// \throws UsageError   such a mesh
 /// \throws Error        a build without TetGen or OpenMesh

@@ -238,6 +238,7 @@ def coarsen(
     mean: str = "blended",
     surface_deviation: float = 0.13,
     ridge_angle: float = 60.0,
+    nodes: str = "nested",
     freeze: Sequence[int | str] = (),
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -258,6 +259,7 @@ def coarsen(
         mean=mean,
         surface_deviation=surface_deviation,
         ridge_angle=ridge_angle,
+        nodes=nodes,
         freeze=freeze,
     )
     if isinstance(fine, Level):
@@ -334,6 +336,7 @@ def hierarchy(
     mean: str = "blended",
     surface_deviation: float = 0.13,
     ridge_angle: float = 60.0,
+    nodes: str = "nested",
     rebuild: str = "none",
     freeze: Sequence[int | str] = (),
     progress: Progress | None = None,
@@ -356,6 +359,7 @@ def hierarchy(
         mean=mean,
         surface_deviation=surface_deviation,
         ridge_angle=ridge_angle,
+        nodes=nodes,
         rebuild=rebuild,
         freeze=freeze,
     )
