@@ -173,10 +173,9 @@ class OperationPropertyTest : public QObject {
     static void walk(DomainKind kind, int seeds, int steps) {
         std::array<int, Walk<D>::operations.size()> made{};
         for (int seed = 1; seed <= seeds; ++seed) {
-            Walk<D> walk(random_domain<D>(kind, static_cast<unsigned>(seed)),
-                         static_cast<unsigned>(seed));
-            const Audit<D> audit(walk.edit(),
-                                 kind == DomainKind::turned ? Planes::turned : Planes::along_axes);
+            const auto domain = random_domain<D>(kind, static_cast<unsigned>(seed));
+            Walk<D> walk(domain, static_cast<unsigned>(seed));
+            const Audit<D> audit(walk.edit(), domain.rounding);
             for (int i = 0; i < steps; ++i) {
                 const std::size_t operation = static_cast<std::size_t>(i) % made.size();
                 if (!walk.try_one(operation)) {

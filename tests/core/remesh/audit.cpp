@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -198,7 +199,7 @@ struct Audit<D>::Kept {
 };
 
 template <int D>
-Audit<D>::Audit(const EditMesh<D>& mesh, Planes planes) : planes_(planes) {
+Audit<D>::Audit(const EditMesh<D>& mesh, double rounding) : rounding_(rounding) {
     kept_ = std::make_unique<Kept>(measure(mesh));
 }
 
@@ -320,7 +321,7 @@ typename Audit<D>::Kept Audit<D>::measure(const EditMesh<D>& mesh) const {
             return kept;
         }
     }
-    if (planes_ == Planes::along_axes) {
+    if (rounding_ == 0) {
         for (const ElementId e : now.mesh.elements.ids()) {
             kept.volume[now.mesh.region[e]] +=
                 exact_volume(corners_of(now.mesh, now.mesh.elements[e]));
@@ -353,9 +354,11 @@ std::string Audit<D>::complaint(const EditMesh<D>& mesh) const {
     if (now.length != kept_->length) {
         return "the length of a ridge has changed";
     }
-    if (!(difference(now.extent, kept_->extent) < 1e-10)) {
-        return "volumes or areas have changed by " +
-               std::to_string(difference(now.extent, kept_->extent));
+    const double changed = difference(now.extent, kept_->extent);
+    if (!(changed <= std::max(rounding_, 1e-12))) {
+        std::ostringstream text;
+        text << "volumes or areas have changed by " << changed;
+        return text.str();
     }
     if (now.frozen != kept_->frozen) {
         return "a frozen node has gone or moved";

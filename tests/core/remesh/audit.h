@@ -11,20 +11,19 @@
 
 namespace ameco::remesh_test {
 
-/// Whether volumes are compared exactly: rounding of turned planes moves nodes off them.
-enum class Planes { along_axes, turned };
-
 /// Remembers a mesh, and finds what an operation has broken. All of it is brute force.
 ///
 /// Valid: \see core/mesh/check.h. Consistent: balls hold the elements at their nodes, real and
 /// ghost elements meet in pairs that face each other, marks agree with elements. Kept: volume of
 /// each region, area of each side of each patch, length of each ridge, faces inside the domain,
-/// frozen nodes, frozen faces, required and listed entities; to the bit where planes are along
-/// axes.
+/// frozen nodes, frozen faces, required and listed entities.
 template <int D>
 class Audit {
 public:
-    Audit(const EditMesh<D>& mesh, Planes planes);
+    /// \param rounding  how far volumes and areas may change [-]; 0: not at all, which asks for
+    /// sides
+    ///                  along the axes, whose nodes are on them to the bit
+    Audit(const EditMesh<D>& mesh, double rounding);
     ~Audit();
 
     /// What is wrong with the mesh now; empty if nothing.
@@ -34,7 +33,7 @@ private:
     struct Kept;
     [[nodiscard]] Kept measure(const EditMesh<D>& mesh) const;
 
-    Planes planes_;
+    double rounding_;
     std::unique_ptr<Kept> kept_;
 };
 

@@ -15,10 +15,6 @@ using namespace ameco::remesh_test;
 
 namespace {
 
-Planes planes_of(DomainKind kind) {
-    return kind == DomainKind::turned ? Planes::turned : Planes::along_axes;
-}
-
 /// An element of the mesh under edit, no ghost.
 template <int D>
 ElementId any_element(const EditMesh<D>& mesh, std::mt19937& random) {
@@ -191,7 +187,7 @@ class CavityPropertyTest : public QObject {
             const auto domain = random_domain<D>(kind, static_cast<unsigned>(seed));
             Workbench<D> bench(domain.mesh, isotropic<D>(domain.mesh.points.size(), 0.1),
                                domain.features);
-            const Audit<D> audit(bench.edit, planes_of(kind));
+            const Audit<D> audit(bench.edit, domain.rounding);
             QCOMPARE(audit.complaint(bench.edit), std::string());
             std::mt19937 random(static_cast<unsigned>(seed));
             for (int i = 0; i < steps; ++i) {

@@ -110,6 +110,18 @@ PlaneCells<D> random_plane_cells(const GridLines<D>& lines, std::mt19937& random
     return cells;
 }
 
+/// A slit from y = 0 to a line of the grid, through the whole box: its rim is straight. One that
+/// ends inside the box would have a rim along the diagonals of its outer cells, whose three nodes
+/// are all on it.
+template <int D>
+PlaneCells<D> random_slit(const GridLines<D>& lines, std::mt19937& random) {
+    PlaneCells<D> cells;
+    cells.plane = lines[0][1 + random() % (lines[0].size() - 2)];
+    cells.high.fill(1);
+    cells.high[1] = lines[1][1 + random() % (lines[1].size() - 2)];
+    return cells;
+}
+
 /// Takes a block of cells out that leaves some on each side along x.
 template <int D>
 void cut_hole(Mesh<D>& mesh, const GridLines<D>& lines, std::mt19937& random) {
@@ -323,7 +335,7 @@ RandomDomain<D> try_domain(DomainKind kind, std::mt19937& random) {
     if (kind == DomainKind::hole) {
         cut_hole<D>(mesh, lines, random);
     } else if (kind == DomainKind::slit) {
-        cut_slit(mesh, wall);
+        cut_slit(mesh, random_slit<D>(lines, random));
     }
     const int points = D == 2 ? 60 : 40;
     for (int i = 0; i < points; ++i) {
@@ -334,7 +346,7 @@ RandomDomain<D> try_domain(DomainKind kind, std::mt19937& random) {
         }
     }
     const int axis = static_cast<int>(random() % D);
-    domain.stretch = std::ldexp(1.0, -static_cast<int>(random() % 21));
+    const double stretch = std::ldexp(1.0, -static_cast<int>(random() % 21));
     renumber(mesh, random);
     mesh.region.assign(mesh.elements.size(), 1);
     shapes::add_boundary(mesh);
@@ -347,10 +359,11 @@ RandomDomain<D> try_domain(DomainKind kind, std::mt19937& random) {
         add_baffle(mesh, wall);
     }
     for (Vec<D>& p : mesh.points) {
-        p[axis] *= domain.stretch;
+        p[axis] *= stretch;
     }
     if (kind == DomainKind::turned) {
         turn(mesh);
+        domain.rounding = 1e-13 / stretch; // nodes leave their sides by 1e-16, over the thickness
     }
     add_features(domain, random);
     return domain;
@@ -381,7 +394,7 @@ const char* name(DomainKind kind) {
 template <int D>
 RandomDomain<D> random_domain(DomainKind kind, unsigned seed) {
     std::mt19937 random(seed * 16 + static_cast<unsigned>(kind));
-    // A slit may touch itself at a node; turned and flattened slivers may be turned over.
+    // Turned and flattened slivers may be turned over.
     for (int attempt = 0; attempt < 50; ++attempt) {
         RandomDomain<D> domain = try_domain<D>(kind, random);
         if (check(domain.mesh).valid()) {

@@ -31,7 +31,8 @@ template <int D>
 struct RandomDomain {
     Mesh<D> mesh;
     FeatureOptions features;
-    double stretch = 1; ///< one of its coordinates was multiplied by this
+    /// Relative rounding of volumes and areas: 0 where sides are along axes.
+    double rounding = 0;
 };
 
 /// A box of a few cells, filled with random points on edges, sides and inside, flattened by up to
