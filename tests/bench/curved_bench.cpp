@@ -83,19 +83,27 @@ void walls() {
 }
 
 void inside() {
-    std::printf("\nLayers inside the domain and between walls, 12 x 12 columns, 2 x 24 layers\n");
+    std::printf("\nLayers inside the domain and between walls, 12 x 12 columns, 2 x 32 layers\n");
     print_head();
     constexpr int n = 12;
     for (const double aspect : {1e4, 1e5, 1e6}) {
         const double dx = 1.0 / n, first = dx / aspect;
         print_levels("shear layer", aspect,
-                     layered_cases::box(n, layered_cases::about_plane(first, 1.2, dx, 24)), 4);
+                     layered_cases::box(n, layered_cases::about_plane(first, 1.2, dx, 32)), 4);
         print_levels("thin gap", aspect,
-                     layered_cases::box(n, layered_cases::between_walls(first, 1.2, dx, 24)), 4);
-        Mesh<3> wake = layered_cases::box(n, layered_cases::about_plane(first, 1.2, dx, 24));
+                     layered_cases::box(n, layered_cases::between_walls(first, 1.2, dx, 32)), 4);
+        Mesh<3> wake = layered_cases::box(n, layered_cases::about_plane(first, 1.2, dx, 32));
         layered_cases::add_sheet(wake, n);
         print_levels("wake sheet", aspect, std::move(wake), 4);
     }
+}
+
+/// Ratio of the meshes that keep every 2^(k-1)-th and every 2^k-th layer.
+double ideal_ratio(ShellOptions shell, int k) {
+    shell.every = 1 << (k - 1);
+    const auto fine = static_cast<double>(make_shell(shell).points.size());
+    shell.every = 1 << k;
+    return fine / static_cast<double>(make_shell(shell).points.size());
 }
 
 /// What was said about the nodes that were looked at, the most frequent first.
@@ -125,12 +133,13 @@ void deep(int frequency) {
     Level<3> level = finest_level(make_shell(shell), {});
     const Mesh<3> finest = level.mesh;
     const double volume = check(finest).volume;
-    std::printf("\nSphere of %zu nodes, AR 1e5, down to isotropy. AR: largest, after; boundary: "
-                "share of the nodes on it; then refusals in the removal passes per node of the "
-                "fine mesh\n"
-                "level    nodes   ratio reached    max AR  boundary  d/edge    d/h1    volume  "
-                "in band  worst Q  refusals\n",
-                finest.points.size());
+    std::printf(
+        "\nSphere of %zu nodes, AR 1e5, down to isotropy. Ideal: every other layer; AR: "
+        "largest, after; boundary: share of the nodes on it; then refusals in the removal "
+        "passes per node of the fine mesh\n"
+        "level    nodes   ratio   ideal reached    max AR  boundary  d/edge    d/h1    volume  "
+        "in band  worst Q  refusals\n",
+        finest.points.size());
     for (int k = 1; k <= 24; ++k) {
         CoarsenReport r;
         Level<3> next = coarsen(level, {}, r);
@@ -143,15 +152,16 @@ void deep(int frequency) {
         const auto outer = std::count_if(patches.begin(), patches.end(),
                                          [](const auto& list) { return !list.empty(); });
         const AspectRatioSummary aspect = summarise_aspect_ratios(level.natural);
-        std::printf("%5d %8lld  %6.3f  %6.3f  %8.1f  %6.1f %%  %6.3f  %6.3f  %8.1e  %5.1f %%  "
-                    "%7.1e%s\n",
-                    k, static_cast<long long>(r.nodes_after),
-                    static_cast<double>(r.nodes_before) / static_cast<double>(r.nodes_after),
-                    static_cast<double>(r.nodes_after) / r.predicted_nodes, aspect.max,
-                    percent(static_cast<double>(outer) / static_cast<double>(r.nodes_after)),
-                    fit.over_edge, fit.over_short, r.check.volume / volume - 1,
-                    percent(r.conformity.in_band), r.conformity.worst_quality,
-                    words_of(r.removal, r.nodes_before).c_str());
+        std::printf(
+            "%5d %8lld  %6.3f  %6.3f  %6.3f  %8.1f  %6.1f %%  %6.3f  %6.3f  %8.1e  %5.1f %%  "
+            "%7.1e%s\n",
+            k, static_cast<long long>(r.nodes_after),
+            static_cast<double>(r.nodes_before) / static_cast<double>(r.nodes_after),
+            ideal_ratio(shell, k), static_cast<double>(r.nodes_after) / r.predicted_nodes,
+            aspect.max, percent(static_cast<double>(outer) / static_cast<double>(r.nodes_after)),
+            fit.over_edge, fit.over_short, r.check.volume / volume - 1,
+            percent(r.conformity.in_band), r.conformity.worst_quality,
+            words_of(r.removal, r.nodes_before).c_str());
         std::fflush(stdout);
     }
 }
