@@ -21,27 +21,38 @@ using namespace ameco;
 
 namespace {
 
+constexpr int wall = 1; ///< patch of the wall, in all cases
+
 double percent(double share) {
     return 100 * share;
 }
 
+/// Beyond the wall, the patch that has moved farthest over its h_1.
+double farthest_other(const std::map<int, boundary_fit::Fit>& fits) {
+    double largest = 0;
+    for (const auto& [patch, fit] : fits) {
+        largest = patch == wall ? largest : std::max(largest, fit.over_short);
+    }
+    return largest;
+}
+
 void print_level(const char* what, double aspect, int k, const CoarsenReport& r,
                  const Level<3>& coarse, const Mesh<3>& finest, double volume) {
-    const auto fit = boundary_fit::measure(coarse, finest);
-    std::printf("%-14s %6.0e %5d %8lld  %6.3f  %6.3f  %8.1e  %8.1e  %8.1e  %9.1e  %9.1e  %5.1f "
-                "%5.1f\n",
+    const auto fits = boundary_fit::measure(coarse, finest);
+    std::printf("%-14s %6.0e %5d %8lld  %6.3f  %6.3f  %8.1e  %8.1e  %8.1e  %8.1e  %9.1e  %9.1e  "
+                "%5.1f %5.1f\n",
                 what, aspect, k, static_cast<long long>(r.nodes_after),
                 static_cast<double>(r.nodes_before) / static_cast<double>(r.nodes_after),
-                static_cast<double>(r.nodes_after) / r.predicted_nodes, fit.over_edge,
-                fit.over_short, r.deviation_relative, r.check.volume / volume - 1,
-                boundary_fit::area_change(coarse.mesh, finest), percent(r.conformity.in_band),
-                percent(r.conformity_before.in_band));
+                static_cast<double>(r.nodes_after) / r.predicted_nodes, fits.at(wall).over_edge,
+                fits.at(wall).over_short, farthest_other(fits), r.deviation_relative,
+                r.check.volume / volume - 1, boundary_fit::area_change(coarse.mesh, finest),
+                percent(r.conformity.in_band), percent(r.conformity_before.in_band));
     std::fflush(stdout);
 }
 
 void print_head() {
-    std::printf("case               AR level    nodes   ratio reached    d/edge      d/h1  "
-                "bound/edge     volume       area  in band, own [%%]\n");
+    std::printf("case               AR level    nodes   ratio reached  wall/edge   wall/h1  "
+                "other/h1  bound/edge    volume       area  in band, own [%%]\n");
 }
 
 void print_levels(const char* what, double aspect, Mesh<3> mesh, int levels) {
@@ -137,17 +148,19 @@ void deep(int frequency) {
         "\nSphere of %zu nodes, AR 1e5, down to isotropy. Ideal: every other layer; AR: "
         "largest, after; boundary: share of the nodes on it; then refusals in the removal "
         "passes per node of the fine mesh\n"
-        "level    nodes   ratio   ideal reached    max AR  boundary  d/edge    d/h1    volume  "
+        "level    nodes   ratio   ideal reached    max AR  boundary  wall/edge wall/h1    volume  "
         "in band  worst Q  refusals\n",
         finest.points.size());
     for (int k = 1; k <= 24; ++k) {
         CoarsenReport r;
         Level<3> next = coarsen(level, {}, r);
-        if (r.nodes_after == r.nodes_before) {
+        if (static_cast<double>(r.nodes_after) > 0.95 * static_cast<double>(r.nodes_before)) {
+            std::printf("%5d %8lld: the end;%s\n", k, static_cast<long long>(r.nodes_after),
+                        words_of(r.removal, r.nodes_before).c_str());
             break;
         }
         level = std::move(next);
-        const auto fit = boundary_fit::measure(level, finest);
+        const auto fit = boundary_fit::measure(level, finest).at(wall);
         const auto patches = node_patches(level.mesh);
         const auto outer = std::count_if(patches.begin(), patches.end(),
                                          [](const auto& list) { return !list.empty(); });

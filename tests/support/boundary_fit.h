@@ -43,15 +43,17 @@ struct Fit {
     double over_short = 0; ///< over the smallest h_1 of the coarse level at its nodes [-]
 };
 
-[[nodiscard]] inline Fit measure(const Level<3>& coarse, const Mesh<3>& finest) {
-    Fit fit;
-    const auto add = [&](double distance, const Facet<3>& face) {
+/// By patch. Nodes between patches are left out.
+[[nodiscard]] inline std::map<int, Fit> measure(const Level<3>& coarse, const Mesh<3>& finest) {
+    std::map<int, Fit> fits;
+    const auto add = [&](int patch, double distance, const Facet<3>& face) {
         double edges = 0, shortest = INFINITY;
         for (std::size_t i = 0; i < 3; ++i) {
             edges +=
                 (coarse.mesh.points[face[i]] - coarse.mesh.points[face[(i + 1) % 3]]).norm() / 3;
             shortest = std::min(shortest, coarse.natural[face[i]].sizes[0]);
         }
+        Fit& fit = fits[patch];
         fit.over_edge = std::max(fit.over_edge, distance / edges);
         fit.over_short = std::max(fit.over_short, distance / shortest);
     };
@@ -60,7 +62,7 @@ struct Fit {
     for (const NodeId v : finest.points.ids()) {
         if (patches[v].size() == 1) {
             const auto hit = to_coarse.project(finest.points[v], patches[v]);
-            add(hit.distance, hit.nodes);
+            add(patches[v][0], hit.distance, hit.nodes);
         }
     }
     for (const FaceId f : outer_faces(coarse.mesh)) {
@@ -68,9 +70,10 @@ struct Fit {
         const Vec<3> middle = (coarse.mesh.points[face[0]] + coarse.mesh.points[face[1]] +
                                coarse.mesh.points[face[2]]) /
                               3;
-        add(to_finest.project(middle, {coarse.mesh.patch[f]}).distance, face);
+        const int patch = coarse.mesh.patch[f];
+        add(patch, to_finest.project(middle, {patch}).distance, face);
     }
-    return fit;
+    return fits;
 }
 
 } // namespace ameco::boundary_fit
