@@ -257,6 +257,11 @@ private:
 } // namespace
 
 template <int D>
+Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options) {
+    return Mover<D>(mesh, options).move(v);
+}
+
+template <int D>
 std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
                         VerdictCounts& verdicts, const Monitor& monitor) {
     Mover<D> mover(mesh, options);
@@ -275,6 +280,8 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
     return made;
 }
 
+template Verdict move_node(UnitMesh<2>&, NodeId, const MoveOptions&);
+template Verdict move_node(UnitMesh<3>&, NodeId, const MoveOptions&);
 template std::int64_t move_nodes(UnitMesh<2>&, const MoveOptions&, int, VerdictCounts&,
                                  const Monitor&);
 template std::int64_t move_nodes(UnitMesh<3>&, const MoveOptions&, int, VerdictCounts&,

@@ -15,6 +15,11 @@ struct MoveOptions {
         1e300; ///< from the node's place when the UnitMesh was made, in the metric [-]
 };
 
+/// Moves one node, as `move_nodes` does.
+/// \return  accepted, geometry_class or no_improvement
+template <int D>
+Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options);
+
 /// Moves nodes, in the order of their ids, towards the place from which their neighbours are one
 /// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line;
 /// nodes of curved ones stay where they are.
