@@ -158,7 +158,7 @@ private:
                 ->group(group);
         add_setting(app, options_, "target-ratio", group)->excludes(factor);
         for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
-                                 "surface-deviation", "ridge-angle", "rebuild"}) {
+                                 "surface-deviation", "ridge-angle", "boundary", "rebuild"}) {
             add_setting(app, options_, name, group);
         }
         app.add_option("--freeze", freeze_,
@@ -259,8 +259,19 @@ private:
 
     template <int D>
     ExitCode coarsen_mesh(Mesh<D> mesh, const ReadyMesh& input, Session& session) {
+        require_possible(mesh, options_);
         const Hierarchy start = hierarchy_to_continue(fresh_hierarchy(D, input), session);
         HierarchyFolder folder(folder_, mesh_, start, read_timing(folder_));
+        try {
+            return fill_folder(std::move(mesh), folder, session);
+        } catch (const std::exception&) {
+            folder.take_back();
+            throw;
+        }
+    }
+
+    template <int D>
+    ExitCode fill_folder(Mesh<D> mesh, HierarchyFolder& folder, Session& session) {
         std::optional<LevelTable> table;
         if (!session.json) {
             table.emplace(session.out, D);
