@@ -22,16 +22,19 @@ namespace ameco {
 
 #ifndef AMECO_WITH_HALF_EDGES
 
-Level<3> rebuild_level(const Level<3>&, const CoarsenOptions&, CoarsenReport&, Monitor&) {
+void require_rebuildable(const Mesh<3>&) {
     throw Error(ExitCode::not_built, "--rebuild tetgen: this build has no OpenMesh (Debian: "
                                      "libopenmesh-dev)");
 }
 
+Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions&, CoarsenReport&, Monitor&) {
+    require_rebuildable(fine.mesh);
+    return {};
+}
+
 #else
 
-namespace {
-
-void require_plain(const Mesh<3>& mesh) {
+void require_rebuildable(const Mesh<3>& mesh) {
     const auto refuse = [](const std::string& what) {
         throw UsageError("--rebuild: a mesh with " + what + " is coarsened by local operations");
     };
@@ -47,7 +50,13 @@ void require_plain(const Mesh<3>& mesh) {
     if (check(mesh).interior_faces > 0) {
         refuse("faces inside");
     }
+    if (!can_recover()) {
+        throw Error(ExitCode::not_built,
+                    "--rebuild tetgen: this build has no TetGen (Debian: libtet1.5-dev)");
+    }
 }
+
+namespace {
 
 /// What decides about nodes.
 struct Selection {
@@ -381,11 +390,7 @@ Built build(const Level<3>& fine, const MetricField<3>& target, const Thinned& t
 
 Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, CoarsenReport& report,
                        Monitor& monitor) {
-    require_plain(fine.mesh);
-    if (!can_recover()) {
-        throw Error(ExitCode::not_built,
-                    "--rebuild tetgen: this build has no TetGen (Debian: libtet1.5-dev)");
-    }
+    require_rebuildable(fine.mesh);
     report = {};
     Stopwatch watch;
     report.factor = options.target.factor;

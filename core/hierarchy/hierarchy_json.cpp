@@ -62,9 +62,17 @@ Json settings_json(const Hierarchy& h) {
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
             {"frozen_patches", o.features.frozen_patches},
+            {"boundary", name(o.features.boundary)},
             {"mesh_suffix", h.mesh_suffix},
             {"export_format", h.export_format},
             {"export_suffix", h.export_suffix}};
+}
+
+BoundaryChoice read_boundary_choice(const std::string& text) {
+    if (const std::optional<BoundaryChoice> choice = boundary_choice_from_name(text)) {
+        return *choice;
+    }
+    throw InputError("unknown boundary \"" + text + "\"");
 }
 
 Mean read_mean(const std::string& text) {
@@ -107,6 +115,8 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("ridge_angle_deg").get_to(o.features.ridge_angle_deg);
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);
     json.at("frozen_patches").get_to(o.features.frozen_patches);
+    o.features.boundary = // older files do not say
+        read_boundary_choice(json.value("boundary", std::string(name(BoundaryChoice::coarsen))));
     json.at("mesh_suffix").get_to(h.mesh_suffix);
     json.at("export_format").get_to(h.export_format);
     json.at("export_suffix").get_to(h.export_suffix);

@@ -139,6 +139,26 @@ Setting nodes_setting() {
     return s;
 }
 
+Setting boundary_setting() {
+    Setting s;
+    s.name = "boundary";
+    s.label = "Boundary";
+    s.value_name = "HOW";
+    s.kind = Setting::Kind::choice;
+    s.choices = names_of(all_boundary_choices);
+    s.help =
+        "coarsen: the boundary is coarsened too, but for the patches of --freeze; keep: all of "
+        "it stays as it is";
+    s.value = [](const HierarchyOptions& o) {
+        return std::string(name(o.coarsen.features.boundary));
+    };
+    s.assign = [](HierarchyOptions& o, const std::string& word) {
+        BoundaryChoice& choice = o.coarsen.features.boundary;
+        choice = boundary_choice_from_name(word).value_or(choice);
+    };
+    return s;
+}
+
 Setting rebuild_setting() {
     Setting s;
     s.name = "rebuild";
@@ -187,6 +207,7 @@ std::vector<Setting> make_settings() {
         "ridge-angle", "Ridge angle", "DEG", "boundary edges that turn by more degrees are kept", 0,
         180, [](auto& o) -> auto& { return o.coarsen.features.ridge_angle_deg; }));
     all.push_back(nodes_setting());
+    all.push_back(boundary_setting());
     all.push_back(rebuild_setting());
     return all;
 }

@@ -147,6 +147,23 @@ Json to_json(const LevelTiming& t) {
             {"peak_memory_bytes", t.peak_memory}};
 }
 
+Json to_json(const AdaptReport& r) {
+    return {{"nodes_before", r.nodes_before},
+            {"nodes", r.nodes_after},
+            {"elements_before", r.elements_before},
+            {"elements", r.elements_after},
+            {"predicted_nodes", r.predicted_nodes},
+            {"conformity_before", to_json(r.conformity_before)},
+            {"conformity", to_json(r.conformity)},
+            {"stages", r.stages},
+            {"passes", r.passes.size()},
+            {"splits", to_json(r.splits)},
+            {"collapses", to_json(r.collapses)},
+            {"swaps", to_json(r.swaps)},
+            {"moves", to_json(r.moves)},
+            {"seconds", r.seconds}};
+}
+
 void from_json(const Json& json, BoundaryRepair& repair) {
     json.at("faces_added").get_to(repair.faces_added);
     json.at("faces_turned").get_to(repair.faces_turned);
