@@ -157,8 +157,9 @@ private:
                 ->default_str(number_text(options_.coarsen.target.factor))
                 ->group(group);
         add_setting(app, options_, "target-ratio", group)->excludes(factor);
-        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
-                                 "surface-deviation", "ridge-angle", "boundary", "rebuild"}) {
+        for (const char* name :
+             {"slack", "isotropic-below", "algorithm", "gradation", "mean", "surface-deviation",
+              "ridge-angle", "nodes", "boundary", "rebuild"}) {
             add_setting(app, options_, name, group);
         }
         app.add_option("--freeze", freeze_,

@@ -53,6 +53,9 @@ private:
             if (p == old.point) {
                 break;
             }
+            if (mesh_.length_at(v, p - mesh_.first_place(v)) > options_.farthest) {
+                continue;
+            }
             mesh_.move_node(v, p);
             if (is_better(v)) {
                 store(v);
@@ -254,6 +257,11 @@ private:
 } // namespace
 
 template <int D>
+Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options) {
+    return Mover<D>(mesh, options).move(v);
+}
+
+template <int D>
 std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
                         VerdictCounts& verdicts, const Monitor& monitor) {
     Mover<D> mover(mesh, options);
@@ -263,7 +271,7 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
         if (stop.asked()) {
             break;
         }
-        if (!mesh.edit.is_removed(v) && mesh.changed_since(v, since)) {
+        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since)) {
             const Verdict verdict = mover.move(v);
             verdicts.add(verdict);
             made += verdict == Verdict::accepted ? 1 : 0;
@@ -272,6 +280,8 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
     return made;
 }
 
+template Verdict move_node(UnitMesh<2>&, NodeId, const MoveOptions&);
+template Verdict move_node(UnitMesh<3>&, NodeId, const MoveOptions&);
 template std::int64_t move_nodes(UnitMesh<2>&, const MoveOptions&, int, VerdictCounts&,
                                  const Monitor&);
 template std::int64_t move_nodes(UnitMesh<3>&, const MoveOptions&, int, VerdictCounts&,

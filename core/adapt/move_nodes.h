@@ -11,7 +11,14 @@ struct MoveOptions {
     double below = 0.9;  ///< nodes with an element of a quality below this are tried [-]
     double gain = 1.002; ///< the harmonic mean of the qualities must grow by this factor [-]
     int halvings = 3;    ///< of a step that is refused
+    double farthest =
+        1e300; ///< from the node's place when the UnitMesh was made, in the metric [-]
 };
+
+/// Moves one node, as `move_nodes` does.
+/// \return  accepted, geometry_class or no_improvement
+template <int D>
+Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options);
 
 /// Moves nodes, in the order of their ids, towards the place from which their neighbours are one
 /// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line;

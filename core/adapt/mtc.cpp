@@ -171,6 +171,18 @@ private:
 } // namespace
 
 template <int D>
+bool mend_ball(UnitMesh<D>& mesh, NodeId v, const MtcOptions& options, const SurfaceRules& surface,
+               const MtcVerdicts& verdicts) {
+    return Mtc<D>(mesh, options, surface, verdicts).mend_ball(v);
+}
+
+template <int D>
+bool mend_shell(UnitMesh<D>& mesh, Edge edge, const MtcOptions& options,
+                const SurfaceRules& surface, const MtcVerdicts& verdicts) {
+    return Mtc<D>(mesh, options, surface, verdicts).mend_shell(edge[0], edge[1]);
+}
+
+template <int D>
 std::int64_t mtc_sweep(UnitMesh<D>& mesh, const MtcOptions& options, const SurfaceRules& surface,
                        int since, const MtcVerdicts& verdicts, const Monitor& monitor) {
     Mtc<D> mtc(mesh, options, surface, verdicts);
@@ -204,9 +216,16 @@ std::int64_t mtc_sweep(UnitMesh<D>& mesh, const MtcOptions& options, const Surfa
     return made;
 }
 
-template std::int64_t mtc_sweep(UnitMesh<2>&, const MtcOptions&, const SurfaceRules&, int,
-                                const MtcVerdicts&, const Monitor&);
-template std::int64_t mtc_sweep(UnitMesh<3>&, const MtcOptions&, const SurfaceRules&, int,
-                                const MtcVerdicts&, const Monitor&);
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template bool mend_ball(UnitMesh<D>&, NodeId, const MtcOptions&, const SurfaceRules&,          \
+                            const MtcVerdicts&);                                                   \
+    template bool mend_shell(UnitMesh<D>&, Edge, const MtcOptions&, const SurfaceRules&,           \
+                             const MtcVerdicts&);                                                  \
+    template std::int64_t mtc_sweep(UnitMesh<D>&, const MtcOptions&, const SurfaceRules&, int,     \
+                                    const MtcVerdicts&, const Monitor&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
 
 } // namespace ameco

@@ -23,6 +23,17 @@ struct MtcVerdicts {
     VerdictCounts& splits;    ///< ... from a new node in the middle of the edge
 };
 
+/// Fills the ball of a node anew from the best place there is, if that beats it as it stands.
+/// \return  whether it was filled anew
+template <int D>
+bool mend_ball(UnitMesh<D>& mesh, NodeId v, const MtcOptions& options, const SurfaceRules& surface,
+               const MtcVerdicts& verdicts);
+
+/// The same for the shell of an edge.
+template <int D>
+bool mend_shell(UnitMesh<D>& mesh, Edge edge, const MtcOptions& options,
+                const SurfaceRules& surface, const MtcVerdicts& verdicts);
+
 /// One sweep over the balls of all nodes, then over the shells of all edges, in the order of ids.
 /// Every cavity is starred from each of its nodes in turn, then from a new place; what beats the
 /// best so far in the order of sets (quality_order.h) takes its place. Stars are admissible by

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/fit_level.h"
 #include "core/coarsen/level_report.h"
 #include "core/mesh/facets.h"
 #include "core/metric/edge_length.h"
@@ -431,6 +432,11 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     for (const NodeId v : compact.parent) {
         coarse.parent.push_back(built.parent[v]);
     }
+    if (options.nodes == CoarseNodes::moved) {
+        MonitorPart fitting(monitor, 0.85, 0.95);
+        fit_level(fine.mesh, target, options, coarse, report, fitting);
+        report.seconds.fit = watch.lap();
+    }
     report.nodes_after = static_cast<std::int64_t>(coarse.mesh.points.size());
     report.elements_after = static_cast<std::int64_t>(coarse.mesh.elements.size());
     report.removal.counts[static_cast<std::size_t>(Verdict::accepted)] =
@@ -439,7 +445,7 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     if (!report.check.valid()) {
         throw CheckFailed("the rebuilt mesh is not valid: " + report.check.summary());
     }
-    report.conformity = conformity(coarse.mesh, at_parents(target, coarse.parent));
+    report.conformity = conformity(coarse.mesh, wanted_metric(fine.mesh, target, coarse));
     measure_deviation(coarse.mesh, coarse.geometry, report);
     report.seconds.check = watch.lap();
     monitor.progress(0.95, "measuring the new mesh");

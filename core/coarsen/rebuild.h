@@ -22,9 +22,9 @@ void require_rebuildable(const Mesh<3>& mesh);
 ///    surface comes too near to go as well;
 /// 3. TetGen makes a mesh of the coarse surface and the nodes that stay; nodes that it adds are
 ///    collapsed;
-/// 4. swaps bring the mesh near the target metric.
+/// 4. swaps bring the mesh near the target metric, and moves of nodes if the options say so.
 ///
-/// The level is like one made by `coarsen`: node-nested, and valid.
+/// The level is like one made by `coarsen`: of nodes of the fine one, and valid.
 ///
 /// \throws UsageError, Error  as `require_rebuildable`
 /// \throws InputError, CheckFailed  TetGen could not, or a node that it added could not be

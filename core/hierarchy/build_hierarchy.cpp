@@ -92,6 +92,7 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
     s.line_nodes = report.line_nodes;
     s.removal = report.removal;
     s.swaps = report.swaps;
+    s.moves = report.moves;
     s.warnings = report.check.warnings;
     return s;
 }

@@ -52,6 +52,7 @@ Json settings_json(const Hierarchy& h) {
             {"factors", h.options.factors},
             {"target_ratio", h.options.target_ratio},
             {"until_isotropic", h.options.until_isotropic},
+            {"nodes", name(o.nodes)},
             {"rebuild", h.options.rebuild ? "tetgen" : "none"},
             {"slack", o.target.slack},
             {"isotropic_below", o.target.isotropic_below},
@@ -81,6 +82,13 @@ Mean read_mean(const std::string& text) {
     throw InputError("unknown mean \"" + text + "\"");
 }
 
+CoarseNodes read_nodes(const std::string& text) {
+    if (const std::optional<CoarseNodes> nodes = coarse_nodes_from_name(text)) {
+        return *nodes;
+    }
+    throw InputError("unknown nodes \"" + text + "\"");
+}
+
 TargetAlgorithm read_algorithm(const std::string& text) {
     if (const std::optional<TargetAlgorithm> algorithm = target_algorithm_from_name(text)) {
         return *algorithm;
@@ -97,6 +105,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("factors").get_to(h.options.factors);
     json.at("target_ratio").get_to(h.options.target_ratio);
     json.at("until_isotropic").get_to(h.options.until_isotropic);
+    o.nodes = read_nodes(json.value("nodes", "nested"));           // older files do not say
     h.options.rebuild = json.value("rebuild", "none") == "tetgen"; // older files do not say
     json.at("slack").get_to(o.target.slack);
     json.at("isotropic_below").get_to(o.target.isotropic_below);

@@ -40,9 +40,10 @@ public:
     /// The nearest point on any boundary face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p) const;
 
-    /// The nearest point of the places that belong to all of `patches`: faces for one patch, nodes
-    /// (D = 2) or edges (D = 3) between patches for several. Where there is no such place, the
-    /// nearest point of the first patch's faces, and without those of any face.
+    /// The nearest point of the places that belong to `patches`: faces for one patch, nodes (D = 2)
+    /// or edges (D = 3) between the first two for several (more meet in corners, which no
+    /// coarsening removes). Where there is no such place, the nearest point of the first patch's
+    /// faces, and without those of any face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const std::vector<int>& patches) const;
 
 private:

@@ -41,12 +41,33 @@ bool has_one_label(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
     return true;
 }
 
+namespace {
+
+template <int D>
+bool has_one_region(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
+    const EditElement<D>* first = nullptr;
+    for (const ElementId e : cavity.elements) {
+        if (mesh.is_ghost(e)) {
+            continue;
+        }
+        if (first == nullptr) {
+            first = &mesh.element(e);
+        } else if (first->label != mesh.element(e).label) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
 template <int D>
 Verdict allowed_to_change(const EditMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell) {
     if (mesh.node_class(a) != NodeClass::frozen || mesh.node_class(b) != NodeClass::frozen) {
         return Verdict::accepted;
     }
-    if (mesh.has_protected_inside()) {
+    // Borders between regions need not be listed as faces.
+    if (mesh.has_protected_inside() || !has_one_region(mesh, shell)) {
         return Verdict::region_border;
     }
     const bool kept = mesh.is_required(a, b) ||

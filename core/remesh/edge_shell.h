@@ -22,8 +22,8 @@ template <int D>
 template <int D>
 [[nodiscard]] bool has_one_label(const EditMesh<D>& mesh, const Cavity<D>& cavity);
 
-/// Whether an edge may leave, or get a node: faces inside the domain, required elements, edges and
-/// frozen faces have frozen nodes only, and stay.
+/// Whether an edge may leave, or get a node: faces inside the domain, borders between regions,
+/// required elements, edges and frozen faces have frozen nodes only, and stay.
 /// \param shell  of the edge a, b
 /// \return  accepted, region_border or geometry_class
 template <int D>
