@@ -76,10 +76,6 @@ void tell_repairs(const fs::path& path, const BoundaryRepair& repair, Monitor& m
     }
 }
 
-void stop_if_asked(const Monitor& monitor) {
-    stop_if_asked(monitor);
-}
-
 /// A surface has no metric and cannot be coarsened, but it can be looked at.
 CaseLevel surface_level(Mesh<3> mesh, Monitor& monitor) {
     LevelStatistics statistics;
