@@ -5,15 +5,14 @@
 ///
 ///     surface_bench [--fill] [--levels] [CASE...]
 ///
-/// Seconds are CPU time with that of TetGen's process. A distance is an upper bound of the distance
+/// Seconds are CPU time with that of TetGen's process. A distance is the larger of both directions
 /// between the boundary of a mesh and the surface that was given, over the diagonal of the box
 /// around that. The jet comes from AMECO_SHARED_DIR; where that is absent, its rows are left out.
-#include "core/base/error.h"
 #include "core/cases/cube.h"
 #include "core/cases/icosphere.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
-#include "core/coarsen/rebuild.h"
+#include "core/hierarchy/build_hierarchy.h"
 #include "core/io/io.h"
 #include "core/multigrid/study.h"
 #include "core/recovery/fill.h"
@@ -26,6 +25,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -160,9 +160,18 @@ struct Wishes {
     }
 };
 
-/// Upper bound of the distance between two surfaces over the diagonal of the second one's box.
-double distance(const Mesh<3>& a, const Mesh<3>& b, double diagonal) {
-    return surface_distance(a, b, 1e-6 * diagonal).upper() / diagonal;
+/// The distance between two surfaces over the diagonal of the second one's box: what was found, and
+/// the bound that nothing exceeds where that is much larger.
+std::string distance(const Mesh<3>& a, const Mesh<3>& b, double diagonal) {
+    const SurfaceDistance d = surface_distance(a, b, 1e-4 * diagonal);
+    std::array<char, 64> text{};
+    if (d.upper() > 1.2 * d.lower() && d.upper() > 1e-12 * diagonal) {
+        std::snprintf(text.data(), text.size(), "%.1g .. %.1g", d.lower() / diagonal,
+                      d.upper() / diagonal);
+    } else {
+        std::snprintf(text.data(), text.size(), "%.2g", d.upper() / diagonal);
+    }
+    return text.data();
 }
 
 double diagonal_of(const Mesh<3>& surface) {
@@ -180,10 +189,10 @@ std::vector<Surface> surfaces() {
     around.farfield = Farfield{FarfieldShape::sphere, 200};
     FillOptions split;
     split.recovery.faces = GivenFaces::split;
-    split.recovery.size = 0.05;
+    split.recovery.size = 0.1;
     const auto sphere = [] { return make_ellipsoid({1, 1, 1}, 20); };
     return {{"sphere", "sphere", sphere, {}},
-            {"sphere-split", "sphere, `--boundary split --size 0.05`", sphere, split},
+            {"sphere-split", "sphere, `--boundary split --size 0.1`", sphere, split},
             {"ellipsoid",
              "ellipsoid, axes 1, 0.5, 0.1",
              [] {
@@ -233,10 +242,10 @@ void fill_one(const Surface& s) {
     for (const SurfacePart& part : report.parts) {
         genus += part.genus();
     }
-    std::printf("| %s | %lld | %lld | %zu | %zu | %.1g | %.2f | %.2f | %.2f | %s |\n",
+    std::printf("| %s | %lld | %lld | %zu | %zu | %s | %.2f | %.2f | %.2f | %s |\n",
                 s.words.c_str(), static_cast<long long>(report.faces),
                 static_cast<long long>(genus), fill.mesh.points.size(), fill.mesh.elements.size(),
-                distance(boundary, *surface, report.diagonal()), inspected - begin,
+                distance(boundary, *surface, report.diagonal()).c_str(), inspected - begin,
                 filled - inspected, end - filled, checked.valid() ? "yes" : "NO");
     std::fflush(stdout);
 }
@@ -284,27 +293,50 @@ struct Levels {
     std::vector<double> in_band;
     bool valid = true;
     double seconds = 0;
+    std::string fallbacks; ///< levels that were made by local operations all the same
 };
 
-constexpr int level_count = 3;
+/// Keeps the first words of warnings: the levels they are about.
+class Warnings : public Monitor {
+public:
+    void message(Severity severity, std::string_view text) override {
+        if (severity == Severity::warning) {
+            levels += (levels.empty() ? "" : ", ") + std::string(text.substr(0, text.find(':')));
+        }
+    }
+    void progress(double, std::string_view) override {}
+    [[nodiscard]] bool stop_requested() const override { return false; }
+
+    std::string levels;
+};
 
 Levels make_levels(const Mesh<3>& mesh, bool rebuild) {
     Levels levels;
-    const CoarsenOptions options;
-    Level<3> fine = finest_level(mesh, options);
-    levels.meshes.push_back(mesh);
-    for (int k = 1; k <= level_count; ++k) {
-        CoarsenReport report;
-        const double begin = cpu_seconds();
-        Level<3> coarse =
-            rebuild ? rebuild_level(fine, options, report) : coarsen(fine, options, report);
-        levels.seconds += cpu_seconds() - begin;
-        levels.valid = levels.valid && check(coarse.mesh).valid();
-        levels.in_band.push_back(100 * report.conformity.in_band);
-        levels.transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
-        levels.meshes.push_back(coarse.mesh);
-        fine = std::move(coarse);
+    std::vector<IdVector<NodeId, NodeId>> parents;
+    Warnings warnings;
+    HierarchyOptions options;
+    options.levels = 3;
+    options.rebuild = rebuild;
+    const double begin = cpu_seconds();
+    build_hierarchy<3>(
+        mesh, options,
+        [&](const Level<3>& level, const LevelStatistics& statistics, const LevelTiming&) {
+            levels.meshes.push_back(level.mesh);
+            parents.push_back(level.parent);
+            if (statistics.level > 0) {
+                levels.in_band.push_back(100 * statistics.conformity.in_band);
+            }
+        },
+        warnings);
+    levels.seconds = cpu_seconds() - begin;
+    for (std::size_t k = 0; k < levels.meshes.size(); ++k) {
+        levels.valid = levels.valid && check(levels.meshes[k]).valid();
+        if (k > 0) {
+            levels.transfers.push_back(
+                make_transfer(levels.meshes[k - 1], levels.meshes[k], parents[k]));
+        }
     }
+    levels.fallbacks = warnings.levels;
     return levels;
 }
 
@@ -318,26 +350,25 @@ CycleStudy study(const Levels& levels) {
 }
 
 void print_levels(const Case& c, const Mesh<3>& mesh, bool rebuild) {
+    const Levels levels = make_levels(mesh, rebuild);
     const std::string first =
         rebuild ? "" : c.words + ", " + std::to_string(mesh.points.size()) + " nodes";
-    std::printf("| %s | %s |", first.c_str(), rebuild ? "rebuilt" : "local");
-    try {
-        const Levels levels = make_levels(mesh, rebuild);
-        for (int k = 1; k <= level_count; ++k) {
-            std::printf(" %zu", levels.meshes[static_cast<std::size_t>(k)].points.size());
-        }
-        std::printf(" |");
-        for (const double share : levels.in_band) {
-            std::printf(" %.0f", share);
-        }
-        const Mesh<3> surface = boundary_surface(mesh);
-        const CycleStudy s = study(levels);
-        std::printf(" %% | %.1g | %.1f | %s | %.3f | %d |\n",
-                    distance(boundary_surface(levels.meshes.back()), surface, diagonal_of(surface)),
-                    levels.seconds, levels.valid ? "yes" : "NO", s.factor, s.krylov.iterations);
-    } catch (const Error& error) {
-        std::printf(" %s | | | | | | |\n", error.what());
+    const std::string way = rebuild ? "rebuilt" : "local";
+    std::printf("| %s | %s |", first.c_str(),
+                (way + (levels.fallbacks.empty() ? "" : ", but " + levels.fallbacks)).c_str());
+    for (std::size_t k = 1; k < levels.meshes.size(); ++k) {
+        std::printf(" %zu", levels.meshes[k].points.size());
     }
+    std::printf(" |");
+    for (const double share : levels.in_band) {
+        std::printf(" %.0f", share);
+    }
+    const Mesh<3> surface = boundary_surface(mesh);
+    const CycleStudy s = study(levels);
+    std::printf(
+        " %% | %s | %.1f | %s | %.3f | %d |\n",
+        distance(boundary_surface(levels.meshes.back()), surface, diagonal_of(surface)).c_str(),
+        levels.seconds, levels.valid ? "yes" : "NO", s.factor, s.krylov.iterations);
     std::fflush(stdout);
 }
 
