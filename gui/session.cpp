@@ -45,7 +45,8 @@ Json to_json(const HierarchyOptions& options) {
 HierarchyOptions options_of(const Json& json) {
     HierarchyOptions options;
     for (const Setting& s : settings()) {
-        const auto word = json.at(std::string(s.name)).get<std::string>();
+        // Older sessions lack the settings that came later.
+        const std::string word = json.value(std::string(s.name), s.value(options));
         if (!s.accepts(word)) {
             throw InputError("its setting " + std::string(s.name) + " is " + word);
         }

@@ -157,8 +157,9 @@ private:
                 ->default_str(number_text(options_.coarsen.target.factor))
                 ->group(group);
         add_setting(app, options_, "target-ratio", group)->excludes(factor);
-        for (const char* name : {"slack", "isotropic-below", "algorithm", "gradation", "mean",
-                                 "surface-deviation", "ridge-angle", "rebuild"}) {
+        for (const char* name :
+             {"slack", "isotropic-below", "algorithm", "gradation", "mean", "surface-deviation",
+              "ridge-angle", "nodes", "boundary", "rebuild"}) {
             add_setting(app, options_, name, group);
         }
         app.add_option("--freeze", freeze_,
@@ -259,8 +260,19 @@ private:
 
     template <int D>
     ExitCode coarsen_mesh(Mesh<D> mesh, const ReadyMesh& input, Session& session) {
+        require_possible(mesh, options_);
         const Hierarchy start = hierarchy_to_continue(fresh_hierarchy(D, input), session);
         HierarchyFolder folder(folder_, mesh_, start, read_timing(folder_));
+        try {
+            return fill_folder(std::move(mesh), folder, session);
+        } catch (const std::exception&) {
+            folder.take_back();
+            throw;
+        }
+    }
+
+    template <int D>
+    ExitCode fill_folder(Mesh<D> mesh, HierarchyFolder& folder, Session& session) {
         std::optional<LevelTable> table;
         if (!session.json) {
             table.emplace(session.out, D);

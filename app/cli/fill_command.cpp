@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/mesh_input.h"
+#include "app/cli/metric_fill.h"
 #include "app/cli/options.h"
 #include "app/cli/report.h"
 #include "app/cli/surface_words.h"
-#include "core/adapt/adapt.h"
-#include "core/adapt/grown_metric.h"
 #include "core/hierarchy/statistics_json.h"
-#include "core/recovery/fill.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <optional>
-#include <set>
 
 namespace ameco::cli {
 namespace {
@@ -78,7 +74,7 @@ public:
 
     ExitCode run(Session& session) override {
         refuse_overwriting(surface_, output_);
-        if (radius_edge_ > 0 && radius_edge_ < 1.1) {
+        if (radius_edge_ > 0 && radius_edge_ < least_radius_edge) {
             throw UsageError("--radius-edge: below 1.1 no end of refining is in sight");
         }
         const Mesh<3> surface = load_surface(surface_, session);
@@ -86,25 +82,19 @@ public:
         if (!metric_.empty()) {
             field = load_metric(metric_, surface, surface_);
         }
-        const FillOptions options = options_for(field);
-        Fill fill = fill_surface(surface, options, surface_, session.monitor);
-        for (const std::string& remark : fill.recovery.remarks) {
-            session.monitor.message(Severity::warning, remark);
-        }
-        if (!metric_.empty()) {
-            bring_to_metric(surface, field, session, fill);
-        }
+        const MetricFill made =
+            fill_to_metric(surface, field, growth_, fill_options(), surface_, session.monitor);
         session.monitor.progress(0.9, "writing " + output_);
-        for (const std::string& loss : write_mesh(output_, fill.mesh)) {
+        for (const std::string& loss : write_mesh(output_, made.fill.mesh)) {
             session.monitor.message(Severity::warning, output_ + ": " + loss);
         }
         session.monitor.clear_line();
-        show(fill, session);
+        show(made, session);
         return ExitCode::ok;
     }
 
 private:
-    [[nodiscard]] FillOptions options_for(const MetricField<3>& field) const {
+    [[nodiscard]] FillOptions fill_options() const {
         FillOptions options;
         RecoveryOptions& recovery = options.recovery;
         recovery.faces = boundary_ == "keep" ? GivenFaces::keep : GivenFaces::split;
@@ -119,24 +109,7 @@ private:
         if (!farfield_.empty()) {
             options.farfield = farfield_from(farfield_);
         }
-        for (const Metric<3>& metric : field) { // of a tet of the same volume
-            recovery.sizes.push_back(std::cbrt(metric.sizes.prod()));
-        }
         return options;
-    }
-
-    /// Our remesher does what TetGen cannot: sizes that depend on the direction.
-    void bring_to_metric(const Mesh<3>& surface, const MetricField<3>& field, Session& session,
-                         Fill& fill) {
-        const GrownMetric source(surface, field, growth_);
-        AdaptOptions options;
-        if (boundary_ == "keep") {
-            const std::set<int> patches(fill.mesh.patch.begin(), fill.mesh.patch.end());
-            options.features.frozen_patches.assign(patches.begin(), patches.end());
-        }
-        AdaptReport report;
-        fill.mesh = adapt(fill.mesh, source, options, report, session.monitor).mesh;
-        conformity_ = report.conformity;
     }
 
     static Vec<3> point_from(const std::string& option, const std::string& text) {
@@ -172,41 +145,25 @@ private:
         return seed;
     }
 
-    void show(const Fill& fill, Session& session) const {
-        const auto nodes = static_cast<std::int64_t>(fill.mesh.points.size());
-        const auto tets = static_cast<std::int64_t>(fill.mesh.elements.size());
-        // Where the mesh was adapted, what TetGen added says nothing any more.
-        Json conformity, added;
-        if (conformity_) {
-            conformity = to_json(*conformity_);
-        } else {
-            added = fill.recovery.added_nodes;
-        }
+    void show(const MetricFill& made, Session& session) const {
+        const Fill& fill = made.fill;
         if (session.json) {
-            Json empty = Json::array();
-            for (const Vec<3>& x : fill.empty) {
-                empty.push_back({x[0], x[1], x[2]});
-            }
-            session.out << Json{{"file", output_},
-                                {"nodes", nodes},
-                                {"elements", tets},
-                                {"boundary_faces", fill.mesh.faces.size()},
-                                {"surface_nodes", fill.surface_nodes},
-                                {"added_nodes", added},
-                                {"empty", empty},
-                                {"conformity", conformity},
-                                {"seconds", fill.recovery.seconds}}
-                               .dump(2)
-                        << '\n';
+            Json json{{"file", output_}};
+            json.update(fill_json(made));
+            session.out << json.dump(2) << '\n';
         } else if (session.verbosity >= 0) {
-            session.out << output_ << ": " << count_text(nodes) << " nodes, "
-                        << (conformity_ ? ""
-                                        : count_text(fill.recovery.added_nodes) + " of them new, ")
+            const auto tets = static_cast<std::int64_t>(fill.mesh.elements.size());
+            session.out << output_ << ": "
+                        << plural(static_cast<std::int64_t>(fill.mesh.points.size()), "node")
+                        << ", "
+                        << (made.conformity
+                                ? ""
+                                : count_text(fill.recovery.added_nodes) + " of them new, ")
                         << count_text(tets) << " tets, "
                         << plural(static_cast<std::int64_t>(fill.empty.size()), "part")
                         << " left empty; " << number_text(fill.recovery.seconds, 3) << " s\n";
-            if (conformity_) {
-                print_facts(session.out, conformity_facts(*conformity_));
+            if (made.conformity) {
+                print_facts(session.out, conformity_facts(*made.conformity));
             }
         }
     }
@@ -216,7 +173,6 @@ private:
     std::vector<std::string> holes_, regions_;
     double size_ = 0;
     double growth_ = 0.2;
-    std::optional<Conformity> conformity_; ///< where a metric was given
     double radius_edge_ = RecoveryOptions{}.radius_edge;
 };
 

@@ -298,7 +298,7 @@ public:
             {{"info wing.meshb", "what is in a mesh"},
              {"info wing.meshb wing.solb", "a mesh and a metric"},
              {"info wing.meshb --json", "the same for a program: an array, one entry per file"}},
-            "The aspect ratio of a node is the largest over the smallest size of its natural\n"
+            "The aspect ratio of a node is the largest over the smallest size of its natural "
             "metric; classes are powers of two, from the most stretched nodes down."};
     }
 

@@ -67,6 +67,9 @@ void print_verdicts(std::ostream& out, const Hierarchy& hierarchy) {
     }
     print_verdict_table(out, hierarchy, "node removals", &LevelStatistics::removal);
     print_verdict_table(out, hierarchy, "swaps", &LevelStatistics::swaps);
+    if (hierarchy.options.coarsen.nodes == CoarseNodes::moved) {
+        print_verdict_table(out, hierarchy, "moves", &LevelStatistics::moves);
+    }
 }
 
 } // namespace ameco::cli

@@ -33,9 +33,9 @@ public:
                  {"multigrid levels --velocity 1 0 0", "upwinded convection, with GMRES"},
                  {"multigrid levels --plot convergence.svg --matrices ./petsc",
                   "a picture; matrices for other solvers"}},
-                "For each pair of levels: the factor of a two-grid cycle with an exact coarse\n"
-                "solve, what the levels have in common, and the nodes where the error stays. For\n"
-                "the whole hierarchy: the factor of the cycle by itself, and iterations of CG (or\n"
+                "For each pair of levels: the factor of a two-grid cycle with an exact coarse "
+                "solve, what the levels have in common, and the nodes where the error stays. For "
+                "the whole hierarchy: the factor of the cycle by itself, and iterations of CG (or "
                 "GMRES) to 1e-8 with the cycle as preconditioner."};
     }
 

@@ -14,17 +14,6 @@
 namespace ameco::cli {
 namespace {
 
-/// Means that can be weighted, which interpolation needs.
-std::vector<std::string> interpolations() {
-    std::vector<std::string> words;
-    for (const Mean mean : all_means) {
-        if (comes_from_sums(mean)) {
-            words.emplace_back(name(mean));
-        }
-    }
-    return words;
-}
-
 template <class Words>
 std::vector<std::string> names_of(const Words& words) {
     std::vector<std::string> names;
@@ -74,7 +63,7 @@ public:
                        "mean of the metrics of an element's nodes: corrected (sizes that grow "
                        "linearly are exact), log-euclidean, ... [corrected]")
             ->type_name("MEAN")
-            ->check(one_of(interpolations()));
+            ->check(one_of(names_of(interpolating_means)));
         app.add_flag("--node-nested", options_.node_nested,
                      "only take nodes away: no new ones, and none is moved");
         app.add_option(
@@ -127,9 +116,7 @@ private:
         if (!metric_.empty()) {
             return load_metric(metric_, mesh, mesh_);
         }
-        Metric<D> metric;
-        metric.sizes.setConstant(size_);
-        return MetricField<D>(mesh.points.size(), metric);
+        return isotropic_metric<D>(mesh.points.size(), size_);
     }
 
     template <int D>
@@ -196,23 +183,9 @@ private:
     }
 
     void print_json(std::ostream& out, const AdaptReport& r) const {
-        const Json json{{"output", output_},
-                        {"engine", engine_},
-                        {"quality", name(quality_of(options_))},
-                        {"nodes_before", r.nodes_before},
-                        {"nodes", r.nodes_after},
-                        {"elements_before", r.elements_before},
-                        {"elements", r.elements_after},
-                        {"predicted_nodes", r.predicted_nodes},
-                        {"conformity_before", to_json(r.conformity_before)},
-                        {"conformity", to_json(r.conformity)},
-                        {"stages", r.stages},
-                        {"passes", r.passes.size()},
-                        {"splits", to_json(r.splits)},
-                        {"collapses", to_json(r.collapses)},
-                        {"swaps", to_json(r.swaps)},
-                        {"moves", to_json(r.moves)},
-                        {"seconds", r.seconds}};
+        Json json{
+            {"output", output_}, {"engine", engine_}, {"quality", name(quality_of(options_))}};
+        json.update(to_json(r));
         out << json.dump(2) << '\n';
     }
 

@@ -43,7 +43,10 @@ std::string genus_text(const SurfacePart& part) {
 } // namespace
 
 Mesh<3> load_surface(const std::filesystem::path& path, Session& session) {
-    MeshFile file = load_mesh(path, session, {.surfaces = true});
+    return surface_of(load_mesh(path, session, {.surfaces = true}), path, session.monitor);
+}
+
+Mesh<3> surface_of(MeshFile&& file, const std::filesystem::path& path, Monitor& monitor) {
     auto* const mesh = std::get_if<Mesh<3>>(&file.mesh);
     if (mesh == nullptr) {
         throw UsageError(path.string() + ": is a mesh in two dimensions, and has no surface");
@@ -56,7 +59,7 @@ Mesh<3> load_surface(const std::filesystem::path& path, Session& session) {
         throw InputError(path.string() + ": " + bad.example);
     }
     for (const std::string& remark : repair_remarks(complete_boundary(*mesh))) {
-        session.monitor.message(Severity::info, path.string() + ": " + remark);
+        monitor.message(Severity::info, path.string() + ": " + remark);
     }
     return boundary_surface(*mesh);
 }

@@ -14,6 +14,11 @@ namespace ameco::cli {
 /// \throws UsageError for a mesh in 2-D
 [[nodiscard]] Mesh<3> load_surface(const std::filesystem::path& path, Session& session);
 
+/// The surface in a file that was read with `ReadOptions::surfaces`.
+/// \throws UsageError for a mesh in 2-D, InputError for one that refers to what is not there
+[[nodiscard]] Mesh<3> surface_of(MeshFile&& file, const std::filesystem::path& path,
+                                 Monitor& monitor);
+
 [[nodiscard]] Json surface_json(const SurfaceReport& report);
 [[nodiscard]] Json features_json(const Mesh<3>& surface, const SurfaceFeatures& features);
 

@@ -38,17 +38,16 @@ Facts check_facts(const TransferCheck& c) {
 class TransferCommand : public Command {
 public:
     [[nodiscard]] CommandHelp help() const override {
-        return {
-            "transfer",
-            "Make the prolongation from a coarse mesh to a fine one.",
-            "transfer FINE COARSE -o P",
-            {{"transfer wing.meshb coarse/level_1.meshb -o P_0.mtx", "as MatrixMarket text"},
-             {"transfer wing.meshb other.meshb -o P_0.petsc", "for PETSc's MatLoad"}},
-            "Row i holds the weights of fine node i at the coarse nodes: linear interpolation\n"
-            "in the coarse element that holds it. Nodes that both meshes have are injected,\n"
-            "nodes outside the coarse domain projected on its boundary. The restriction is the\n"
-            "transpose. Exit code 3 when a check fails: row sums, linear functions, weights,\n"
-            "coarse nodes nobody refers to."};
+        return {"transfer",
+                "Make the prolongation from a coarse mesh to a fine one.",
+                "transfer FINE COARSE -o P",
+                {{"transfer wing.meshb coarse/level_1.meshb -o P_0.mtx", "as MatrixMarket text"},
+                 {"transfer wing.meshb other.meshb -o P_0.petsc", "for PETSc's MatLoad"}},
+                "Row i holds the weights of fine node i at the coarse nodes: linear interpolation "
+                "in the coarse element that holds it. Nodes that both meshes have are injected, "
+                "nodes outside the coarse domain projected on its boundary. The restriction is the "
+                "transpose. Exit code 3 when a check fails: row sums, linear functions, weights, "
+                "coarse nodes nobody refers to."};
     }
 
     void add_options(CLI::App& app) override {

@@ -122,8 +122,12 @@ void require_same_features(const FeatureOptions& given, const FeatureOptions& ma
                              given.ridge_angle_deg != made_with.ridge_angle_deg;
     const bool other_patches =
         !given.frozen_patches.empty() && given.frozen_patches != made_with.frozen_patches;
-    if (other_angle || other_patches) {
-        throw UsageError(std::string(other_angle ? "ridge_angle" : "freeze") +
+    const bool other_boundary =
+        given.boundary != defaults.boundary && given.boundary != made_with.boundary;
+    if (other_angle || other_patches || other_boundary) {
+        throw UsageError(std::string(other_angle     ? "ridge_angle"
+                                     : other_patches ? "freeze"
+                                                     : "boundary") +
                          ": a level keeps what was decided on its finest mesh: give it there");
     }
 }

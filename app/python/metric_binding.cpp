@@ -90,25 +90,6 @@ AnyMetric read_metric_file(const fs::path& path) {
         file.field);
 }
 
-/// Calls `use(mesh, field)` with both in their own dimension.
-template <class Use>
-auto with_both(const AnyMesh& mesh, const AnyMetric& metric, const Use& use) {
-    if (mesh.mesh.index() != metric.field.index()) {
-        throw UsageError("metric: has another dimension than the mesh");
-    }
-    return std::visit(
-        [&]<int D>(const std::shared_ptr<const Mesh<D>>& m) {
-            const auto& field = *std::get<std::shared_ptr<const MetricField<D>>>(metric.field);
-            if (field.size() != m->points.size()) {
-                throw UsageError("metric: has " + std::to_string(field.size()) +
-                                 " tensors for a mesh of " + std::to_string(m->points.size()) +
-                                 " nodes");
-            }
-            return use(*m, field);
-        },
-        mesh.mesh);
-}
-
 AnyMetric natural_metric(AnyMesh& mesh, const py::dict& options, const py::object& progress,
                          const py::object& cancel) {
     const Mean mean = options_from(options, mesh).coarsen.mean;

@@ -7,6 +7,8 @@
 #include "app/python/mesh_binding.h"
 #include "app/python/metric_binding.h"
 #include "app/python/options_binding.h"
+#include "app/python/remesh_binding.h"
+#include "app/python/surface_binding.h"
 #include "app/python/transfer_binding.h"
 #include "core/base/parallel.h"
 #include "core/cases/cases.h"
@@ -38,6 +40,8 @@ PYBIND11_MODULE(_core, module) {
     bind_mesh(module);
     bind_metric(module);
     bind_levels(module);
+    bind_remesh(module);
+    bind_surfaces(module);
     bind_transfer(module);
     module.def("cases", &case_summaries);
     module.def("set_threads", &ameco::set_thread_count);

@@ -6,6 +6,7 @@
 #include "core/mesh/locate.h"
 #include "core/metric/metric_sum.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -23,6 +24,18 @@ public:
     [[nodiscard]] virtual Metric<D> at(const Vec<D>& p, NodeId& near) const = 0;
 };
 
+/// Means by which a metric can be interpolated: they can be weighted.
+inline constexpr std::array interpolating_means{Mean::corrected, Mean::blended, Mean::interpolation,
+                                                Mean::log_euclidean};
+
+/// The metric of one size [L] in all directions, at each of `nodes` nodes.
+template <int D>
+[[nodiscard]] MetricField<D> isotropic_metric(std::size_t nodes, double size) {
+    Metric<D> metric;
+    metric.sizes.setConstant(size);
+    return MetricField<D>(nodes, metric);
+}
+
 /// A metric given at the nodes of a mesh: mean of the nodes of the element that holds the point,
 /// weighted by its barycentric coordinates. Beyond the boundary the
 /// nearest boundary face takes the element's place. Reading it from several threads is safe.
@@ -33,10 +46,9 @@ class BackgroundMetric : public MetricSource<D> {
 public:
     /// \param mesh   valid
     /// \param field  one valid metric per node of `mesh`
-    /// \param mean   one that comes from sums. The corrected mean (9)-(10) is exact where sizes
-    /// grow
-    ///               linearly with the distance from a wall, as they do in boundary layers; the
-    ///               log-Euclidean one makes them small over most of a large element.
+    /// \param mean   one of `interpolating_means`. The corrected mean (9)-(10) is exact where sizes
+    ///               grow linearly with the distance from a wall, as they do in boundary layers;
+    ///               the log-Euclidean one makes them small over most of a large element.
     BackgroundMetric(const Mesh<D>& mesh, const MetricField<D>& field, Mean mean = Mean::corrected);
     ~BackgroundMetric() override;
 

@@ -53,6 +53,9 @@ private:
             if (p == old.point) {
                 break;
             }
+            if (mesh_.length_at(v, p - mesh_.first_place(v)) > options_.farthest) {
+                continue;
+            }
             mesh_.move_node(v, p);
             if (is_better(v)) {
                 store(v);
@@ -268,7 +271,7 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
         if (stop.asked()) {
             break;
         }
-        if (!mesh.edit.is_removed(v) && mesh.changed_since(v, since)) {
+        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since)) {
             const Verdict verdict = mover.move(v);
             verdicts.add(verdict);
             made += verdict == Verdict::accepted ? 1 : 0;

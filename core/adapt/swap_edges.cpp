@@ -46,8 +46,10 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
                 continue;
             }
             const Simplex<D>& s = mesh.edit.nodes(e);
-            if (std::any_of(s.begin(), s.end(),
-                            [&](NodeId v) { return mesh.changed_since(v, since); })) {
+            const auto is_held = [&](NodeId v) { return mesh.is_held(v); };
+            const auto changed = [&](NodeId v) { return mesh.changed_since(v, since); };
+            if (std::any_of(s.begin(), s.end(), changed) &&
+                !std::all_of(s.begin(), s.end(), is_held)) {
                 made += search.mend(e) ? 1 : 0;
             }
         }

@@ -13,7 +13,8 @@ UnitMesh<D>::UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes,
                       Quality quality_function)
     : edit(mesh, classes), source_(source), quality_(quality_function),
       factor_(mesh.points.size(), Mat<D>::Zero()), root_(mesh.points.size()),
-      short_size_(mesh.points.size(), 0), near_(std::move(near)), touched_(mesh.points.size(), 0) {
+      short_size_(mesh.points.size(), 0), near_(std::move(near)), touched_(mesh.points.size(), 0),
+      held_(mesh.points.size(), 0), first_place_(mesh.points) {
     parallel_for(mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const NodeId v(i);
@@ -46,6 +47,8 @@ NodeId UnitMesh<D>::add_node(const Vec<D>& p, NodeId beside, NodeClass node_clas
     short_size_.push_back(0);
     near_.push_back(near_[beside]);
     touched_.push_back(clock_);
+    held_.push_back(0);
+    first_place_.push_back(p);
     set_metric(v, source_.at(p, near_[v]));
     return v;
 }
@@ -59,6 +62,8 @@ void UnitMesh<D>::drop_last_node() {
     short_size_.resize(n);
     near_.resize(n);
     touched_.resize(n);
+    held_.resize(n);
+    first_place_.resize(n, Vec<D>::Zero());
 }
 
 template <int D>

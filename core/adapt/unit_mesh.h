@@ -75,6 +75,13 @@ public:
     /// \return  accepted or low_quality
     [[nodiscard]] Verdict judge(double least, Star<D>& star) const;
 
+    /// Where a node was when this was made, or when it was added.
+    [[nodiscard]] const Vec<D>& first_place(NodeId v) const { return first_place_[v]; }
+
+    /// Has moves leave a node where it is, and swaps leave elements whose nodes are all held.
+    void hold(NodeId v) { held_[v] = 1; }
+    [[nodiscard]] bool is_held(NodeId v) const { return held_[v] != 0; }
+
     /// Says that the elements at a node have changed; \see changed_since.
     void touch(NodeId v) { touched_[v] = clock_; }
     /// Whether anything at the node has changed since that time of the clock.
@@ -95,6 +102,8 @@ private:
     IdVector<NodeId, double> short_size_;
     IdVector<NodeId, NodeId> near_; ///< a node of the background mesh near each node
     IdVector<NodeId, int> touched_;
+    IdVector<NodeId, std::uint8_t> held_;
+    IdVector<NodeId, Vec<D>> first_place_;
     int clock_ = 0;
 };
 

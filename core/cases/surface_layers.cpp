@@ -6,7 +6,7 @@
 #include "core/cases/surface_columns.h"
 #include "core/mesh/check.h"
 #include "core/mesh/simplex.h"
-#include "core/surface/surface_report.h"
+#include "core/surface/surface_repair.h"
 
 #include <algorithm>
 
@@ -138,7 +138,7 @@ SurfaceLayers make_surface_layers(const Mesh<3>& surface, const SurfaceLayerOpti
                                   const std::string& name, Monitor& monitor) {
     require_sense(options);
     const SurfaceReport report = inspect_surface(surface);
-    require_sound_surface(report, name);
+    require_sound_surface(report, name, repair_helps(surface, report));
     for (const SurfacePart& part : report.parts) {
         if (part.volume < 0) {
             throw InputError(name + ": is turned inwards; ameco surface --repair turns it");

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/fit_level.h"
 #include "core/coarsen/level_report.h"
 #include "core/remesh/front_order.h"
 
@@ -83,6 +84,32 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     }
 }
 
+/// Measures and checks a level that is made, nested so far, after moving its nodes if that is
+/// wanted. \param target  at the nodes of `fine`, which the parents are nodes of
+template <int D>
+void finish_level(const Mesh<D>& fine, const MetricField<D>& target, const CoarsenOptions& options,
+                  Level<D>& coarse, CoarsenReport& report, Monitor& monitor) {
+    Stopwatch watch;
+    if (options.nodes == CoarseNodes::moved) {
+        MonitorPart fitting(monitor, 0, 0.6);
+        fit_level(fine, target, options, coarse, report, fitting);
+        report.seconds.fit += watch.lap();
+    }
+    report.nodes_after = static_cast<std::int64_t>(coarse.mesh.points.size());
+    report.elements_after = static_cast<std::int64_t>(coarse.mesh.elements.size());
+    monitor.progress(0.6, "checking");
+    report.check = check(coarse.mesh);
+    if (!report.check.valid()) {
+        throw std::logic_error("the coarse mesh is not valid: " + report.check.summary());
+    }
+    measure_deviation(coarse.mesh, coarse.geometry, report);
+    report.conformity = conformity(coarse.mesh, wanted_metric(fine, target, coarse));
+    report.seconds.check += watch.lap();
+    monitor.progress(0.8, "measuring the new mesh");
+    coarse.natural = nodal_metric(coarse.mesh, options.mean);
+    report.seconds.metric += watch.lap();
+}
+
 /// One step: lines across layers lose at most every other node.
 template <int D>
 Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
@@ -110,26 +137,15 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     report.seconds.order += watch.lap();
     stop_if_asked(monitor);
 
-    MonitorPart editing(monitor, 0.1, 0.85);
+    const bool moved = options.nodes == CoarseNodes::moved;
+    MonitorPart editing(monitor, 0.1, moved ? 0.7 : 0.85);
     edit(mesh, data, options, report, editing);
 
-    watch = Stopwatch();
     auto compact = mesh.compact();
     Level<D> coarse{
         std::move(compact.mesh), std::move(compact.classes), {}, std::move(compact.parent)};
-    report.nodes_after = static_cast<std::int64_t>(coarse.mesh.points.size());
-    report.elements_after = static_cast<std::int64_t>(coarse.mesh.elements.size());
-    monitor.progress(0.88, "checking");
-    report.check = check(coarse.mesh);
-    if (!report.check.valid()) {
-        throw std::logic_error("the coarse mesh is not valid: " + report.check.summary());
-    }
-    measure_deviation(coarse.mesh, coarse.geometry, report);
-    report.conformity = conformity(coarse.mesh, at_parents(target, coarse.parent));
-    report.seconds.check += watch.lap();
-    monitor.progress(0.95, "measuring the new mesh");
-    coarse.natural = nodal_metric(coarse.mesh, options.mean);
-    report.seconds.metric += watch.lap();
+    MonitorPart finishing(monitor, moved ? 0.7 : 0.85, 1);
+    finish_level(fine.mesh, target, options, coarse, report, finishing);
     return coarse;
 }
 
@@ -140,6 +156,7 @@ void add_step(CoarsenReport& all, const CoarsenReport& step) {
     for (std::size_t i = 0; i < verdict_count; ++i) {
         all.removal.counts[i] += step.removal.counts[i];
         all.swaps.counts[i] += step.swaps.counts[i];
+        all.moves.counts[i] += step.moves.counts[i];
     }
     all.removed_in_first_pass += step.removed_in_first_pass;
     all.deviation = step.deviation;
@@ -151,10 +168,24 @@ void add_step(CoarsenReport& all, const CoarsenReport& step) {
     all.seconds.first_pass += step.seconds.first_pass;
     all.seconds.remove += step.seconds.remove;
     all.seconds.swap += step.seconds.swap;
+    all.seconds.fit += step.seconds.fit;
     all.seconds.check += step.seconds.check;
 }
 
 } // namespace
+
+std::string_view name(CoarseNodes nodes) {
+    return nodes == CoarseNodes::nested ? "nested" : "moved";
+}
+
+std::optional<CoarseNodes> coarse_nodes_from_name(std::string_view text) {
+    for (const CoarseNodes nodes : all_coarse_nodes) {
+        if (name(nodes) == text) {
+            return nodes;
+        }
+    }
+    return {};
+}
 
 int coarsening_steps(double factor) {
     return std::max(1, static_cast<int>(std::lround(std::log2(factor))));
@@ -179,6 +210,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     }
     CoarsenOptions step_options = options;
     step_options.target.factor = std::pow(options.target.factor, 1.0 / steps);
+    step_options.nodes = CoarseNodes::nested; // until the last one is there
     Level<D> level;
     for (int n = 0; n < steps; ++n) {
         MonitorPart part(monitor, static_cast<double>(n) / steps, (n + 1.0) / steps);
@@ -199,7 +231,7 @@ Level<D> coarsen(const Level<D>& fine, const CoarsenOptions& options, CoarsenRep
     }
     report.factor = options.target.factor;
     report.predicted_nodes = predicted_nodes(fine, target);
-    report.conformity = conformity(level.mesh, at_parents(target, level.parent));
+    finish_level(fine.mesh, target, options, level, report, Monitor::silent());
     return level;
 }
 

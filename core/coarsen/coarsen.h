@@ -15,6 +15,27 @@
 
 namespace ameco {
 
+/// Where the nodes of a coarse level are.
+enum class CoarseNodes {
+    nested, ///< where nodes of the fine one are
+    moved   ///< where the target metric wants them; \see fit_level.h
+};
+
+inline constexpr std::array all_coarse_nodes{CoarseNodes::nested, CoarseNodes::moved};
+
+[[nodiscard]] std::string_view name(CoarseNodes nodes);
+[[nodiscard]] std::optional<CoarseNodes> coarse_nodes_from_name(std::string_view name);
+
+/// How levels with moved nodes are brought nearer to their metric.
+struct FitOptions {
+    int passes = 2;         ///< of swaps and moves, >= 1
+    double stretched = 8;   ///< nodes stay where the target metric has this aspect ratio or more,
+                            ///< and elements among them as they are: lines across layers [-]
+    double farthest = 0.35; ///< a node moves, in the metric: so near that its old place remains
+                            ///< among its elements, and fine nodes take values from it [-]
+    SwapOptions swaps{.below = 0.8, .gain = 1.01, .rounds = 2};
+};
+
 struct CoarsenOptions {
     Mean mean = Mean::blended;
     TargetOptions target;
@@ -23,6 +44,8 @@ struct CoarsenOptions {
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     SwapOptions swaps;
     int passes = 6; ///< removal passes, >= 1; swaps come after each
+    CoarseNodes nodes = CoarseNodes::nested;
+    FitOptions fit; ///< for moved nodes
 };
 
 /// Wall-clock seconds of one level, by phase.
@@ -32,9 +55,10 @@ struct PhaseSeconds {
     double first_pass = 0; ///< the first removal pass
     double remove = 0;     ///< the later ones
     double swap = 0;       ///< all swaps
+    double fit = 0;        ///< moves of nodes, with their swaps
     double check = 0;      ///< check and conformity of the result
     [[nodiscard]] double total() const {
-        return metric + order + first_pass + remove + swap + check;
+        return metric + order + first_pass + remove + swap + fit + check;
     }
 };
 
@@ -44,7 +68,7 @@ struct CoarsenReport {
     double factor = 0; ///< coarse size over fine size that was asked for
     double predicted_nodes =
         0; ///< nodes_before times the quotient of expected_nodes, target over natural
-    VerdictCounts removal, swaps;
+    VerdictCounts removal, swaps, moves;
     std::int64_t removed_in_first_pass = 0;
     std::int64_t line_nodes = 0; ///< nodes on lines across layers, before
     std::int64_t lines = 0;
@@ -62,7 +86,7 @@ struct Level {
     Mesh<D> mesh;
     GeometryClasses<D> geometry;
     MetricField<D> natural;          ///< natural metric at its nodes
-    IdVector<NodeId, NodeId> parent; ///< [n] the node of the next finer level at the same place
+    IdVector<NodeId, NodeId> parent; ///< [n] the node of the next finer level that it is
 };
 
 /// Makes level 0 from a valid mesh: geometry classes and natural metric.
@@ -74,7 +98,8 @@ template <int D>
 /// that stay. The levels between them are forgotten.
 [[nodiscard]] int coarsening_steps(double factor);
 
-/// Makes the next coarser level. The nodes of the result are nodes of `fine`, in the same order.
+/// Makes the next coarser level. The nodes of the result are nodes of `fine`, in the same order,
+/// moved if the options say so.
 ///
 /// \throws Cancelled when asked to stop; nothing is left half done
 /// \see docs/theory/coarsening.md

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/coarsen/level_report.h"
 
+#include "core/adapt/metric_source.h"
 #include "core/metric/expected_nodes.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace ameco {
 
@@ -14,12 +16,23 @@ double predicted_nodes(const Level<D>& fine, const MetricField<D>& target) {
 }
 
 template <int D>
-MetricField<D> at_parents(const MetricField<D>& field, const IdVector<NodeId, NodeId>& parent) {
-    MetricField<D> out(parent.size());
-    for (const NodeId v : parent.ids()) {
-        out[v] = field[parent[v]];
+MetricField<D> wanted_metric(const Mesh<D>& fine, const MetricField<D>& target,
+                             const Level<D>& coarse) {
+    std::optional<BackgroundMetric<D>> source; // costs more than all else: only if it is needed
+    MetricField<D> wanted(coarse.parent.size());
+    for (const NodeId v : coarse.parent.ids()) {
+        NodeId parent = coarse.parent[v];
+        const Vec<D>& p = coarse.mesh.points[v];
+        if (p == fine.points[parent]) {
+            wanted[v] = target[parent];
+        } else {
+            if (!source) {
+                source.emplace(fine, target);
+            }
+            wanted[v] = source->at(p, parent);
+        }
     }
-    return out;
+    return wanted;
 }
 
 template <int D>
@@ -42,7 +55,7 @@ void measure_deviation(const Mesh<D>& mesh, const GeometryClasses<D>& geometry,
 
 #define AMECO_INSTANTIATE(D)                                                                       \
     template double predicted_nodes(const Level<D>&, const MetricField<D>&);                       \
-    template MetricField<D> at_parents(const MetricField<D>&, const IdVector<NodeId, NodeId>&);    \
+    template MetricField<D> wanted_metric(const Mesh<D>&, const MetricField<D>&, const Level<D>&); \
     template void measure_deviation(const Mesh<D>&, const GeometryClasses<D>&, CoarsenReport&);
 
 AMECO_INSTANTIATE(2)

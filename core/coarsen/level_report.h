@@ -12,11 +12,11 @@ namespace ameco {
 template <int D>
 [[nodiscard]] double predicted_nodes(const Level<D>& fine, const MetricField<D>& target);
 
-/// The metric of the fine mesh at the nodes that are left of it.
-/// \param parent  fine node of each coarse one
+/// The target at the nodes of a level made from `fine`: that of the fine node, or, if the node was
+/// moved, of its new place in the fine mesh.
 template <int D>
-[[nodiscard]] MetricField<D> at_parents(const MetricField<D>& field,
-                                        const IdVector<NodeId, NodeId>& parent);
+[[nodiscard]] MetricField<D> wanted_metric(const Mesh<D>& fine, const MetricField<D>& target,
+                                           const Level<D>& coarse);
 
 /// Sets how far the boundary is from the finest one: the largest bound of a face, and the largest
 /// one over the mean edge of its face.

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/stop_check.h"
 #include "core/base/stopwatch.h"
+#include "core/coarsen/fit_level.h"
 #include "core/coarsen/level_report.h"
 #include "core/mesh/facets.h"
 #include "core/metric/edge_length.h"
@@ -21,16 +22,19 @@ namespace ameco {
 
 #ifndef AMECO_WITH_HALF_EDGES
 
-Level<3> rebuild_level(const Level<3>&, const CoarsenOptions&, CoarsenReport&, Monitor&) {
+void require_rebuildable(const Mesh<3>&) {
     throw Error(ExitCode::not_built, "--rebuild tetgen: this build has no OpenMesh (Debian: "
                                      "libopenmesh-dev)");
 }
 
+Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions&, CoarsenReport&, Monitor&) {
+    require_rebuildable(fine.mesh);
+    return {};
+}
+
 #else
 
-namespace {
-
-void require_plain(const Mesh<3>& mesh) {
+void require_rebuildable(const Mesh<3>& mesh) {
     const auto refuse = [](const std::string& what) {
         throw UsageError("--rebuild: a mesh with " + what + " is coarsened by local operations");
     };
@@ -46,7 +50,13 @@ void require_plain(const Mesh<3>& mesh) {
     if (check(mesh).interior_faces > 0) {
         refuse("faces inside");
     }
+    if (!can_recover()) {
+        throw Error(ExitCode::not_built,
+                    "--rebuild tetgen: this build has no TetGen (Debian: libtet1.5-dev)");
+    }
 }
+
+namespace {
 
 /// What decides about nodes.
 struct Selection {
@@ -380,11 +390,7 @@ Built build(const Level<3>& fine, const MetricField<3>& target, const Thinned& t
 
 Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, CoarsenReport& report,
                        Monitor& monitor) {
-    require_plain(fine.mesh);
-    if (!can_recover()) {
-        throw Error(ExitCode::not_built,
-                    "--rebuild tetgen: this build has no TetGen (Debian: libtet1.5-dev)");
-    }
+    require_rebuildable(fine.mesh);
     report = {};
     Stopwatch watch;
     report.factor = options.target.factor;
@@ -426,6 +432,11 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     for (const NodeId v : compact.parent) {
         coarse.parent.push_back(built.parent[v]);
     }
+    if (options.nodes == CoarseNodes::moved) {
+        MonitorPart fitting(monitor, 0.85, 0.95);
+        fit_level(fine.mesh, target, options, coarse, report, fitting);
+        report.seconds.fit = watch.lap();
+    }
     report.nodes_after = static_cast<std::int64_t>(coarse.mesh.points.size());
     report.elements_after = static_cast<std::int64_t>(coarse.mesh.elements.size());
     report.removal.counts[static_cast<std::size_t>(Verdict::accepted)] =
@@ -434,7 +445,7 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     if (!report.check.valid()) {
         throw CheckFailed("the rebuilt mesh is not valid: " + report.check.summary());
     }
-    report.conformity = conformity(coarse.mesh, at_parents(target, coarse.parent));
+    report.conformity = conformity(coarse.mesh, wanted_metric(fine.mesh, target, coarse));
     measure_deviation(coarse.mesh, coarse.geometry, report);
     report.seconds.check = watch.lap();
     monitor.progress(0.95, "measuring the new mesh");

@@ -7,6 +7,12 @@
 
 namespace ameco {
 
+/// Says no to a mesh that cannot be made anew, and in a build that cannot make any.
+/// \throws UsageError  the mesh has several regions, faces inside, or required edges, faces or
+///                     elements
+/// \throws Error       a build without TetGen or OpenMesh
+void require_rebuildable(const Mesh<3>& mesh);
+
 /// Makes the next coarser level without regard to the elements of the fine one:
 ///
 /// 1. the surface is thinned alone, in the target metric (surface/thin_surface.h);
@@ -16,15 +22,13 @@ namespace ameco {
 ///    surface comes too near to go as well;
 /// 3. TetGen makes a mesh of the coarse surface and the nodes that stay; nodes that it adds are
 ///    collapsed;
-/// 4. swaps bring the mesh near the target metric.
+/// 4. swaps bring the mesh near the target metric, and moves of nodes if the options say so.
 ///
-/// The level is like one made by `coarsen`: node-nested, and valid. Meshes with several regions,
-/// faces inside, or required edges, faces or elements cannot be made so.
+/// The level is like one made by `coarsen`: of nodes of the fine one, and valid.
 ///
-/// \throws UsageError   such a mesh
-/// \throws Error        a build without TetGen or OpenMesh
+/// \throws UsageError, Error  as `require_rebuildable`
 /// \throws InputError, CheckFailed  TetGen could not, or a node that it added could not be
-/// collapsed \throws Cancelled    when asked to stop
+/// collapsed \throws Cancelled  when asked to stop
 [[nodiscard]] Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options,
                                      CoarsenReport& report, Monitor& monitor = Monitor::silent());
 

@@ -92,6 +92,7 @@ LevelStatistics measure_coarse(const Level<D>& level, int number, double max_asp
     s.line_nodes = report.line_nodes;
     s.removal = report.removal;
     s.swaps = report.swaps;
+    s.moves = report.moves;
     s.warnings = report.check.warnings;
     return s;
 }
@@ -102,7 +103,7 @@ void say_that_rebuilding_failed(const Error& error, Monitor& monitor) {
 
 /// \throws UsageError  levels are to be rebuilt, and cannot be
 template <int D>
-void require_rebuildable(const HierarchyOptions& options) {
+void require_fitting_options(const HierarchyOptions& options) {
     if (!options.rebuild) {
         return;
     }
@@ -176,9 +177,19 @@ HierarchyEnd extend(Level<D> last, int number, double max_aspect_ratio, int firs
 } // namespace
 
 template <int D>
+void require_possible(const Mesh<D>& mesh, const HierarchyOptions& options) {
+    require_fitting_options<D>(options);
+    if constexpr (D == 3) {
+        if (options.rebuild) {
+            require_rebuildable(mesh);
+        }
+    }
+}
+
+template <int D>
 HierarchyEnd build_hierarchy(Mesh<D> mesh, const HierarchyOptions& options,
                              const LevelSink<D>& sink, Monitor& monitor) {
-    require_rebuildable<D>(options);
+    require_fitting_options<D>(options);
     try {
         LevelMonitor part(monitor, 0, share_before(1, 0, options.levels), 0);
         LevelTiming timing;
@@ -203,7 +214,7 @@ template <int D>
 HierarchyEnd extend_hierarchy(Level<D> last, int number, double max_aspect_ratio,
                               const HierarchyOptions& options, const LevelSink<D>& sink,
                               Monitor& monitor) {
-    require_rebuildable<D>(options);
+    require_fitting_options<D>(options);
     try {
         return extend(std::move(last), number, max_aspect_ratio, number + 1, options, sink,
                       monitor);
@@ -218,6 +229,8 @@ std::int64_t peak_memory() {
     return static_cast<std::int64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+template void require_possible(const Mesh<2>&, const HierarchyOptions&);
+template void require_possible(const Mesh<3>&, const HierarchyOptions&);
 template HierarchyEnd build_hierarchy(Mesh<2>, const HierarchyOptions&, const LevelSink<2>&,
                                       Monitor&);
 template HierarchyEnd build_hierarchy(Mesh<3>, const HierarchyOptions&, const LevelSink<3>&,

@@ -23,12 +23,18 @@ struct HierarchyEnd {
     std::optional<CoarsenReport> refused;
 };
 
+/// Says no to what cannot be had with this mesh, before anything is made.
+/// \throws UsageError, Error
+template <int D>
+void require_possible(const Mesh<D>& mesh, const HierarchyOptions& options);
+
 /// Makes level 0 and up to `options.levels` coarser ones from a valid mesh.
 ///
 /// Only two levels are in memory at a time. A request to stop ends the hierarchy with the status
 /// `cancelled`; the levels the sink has received are good.
 ///
 /// \param mesh  valid (mesh/check.h)
+/// \throws UsageError, Error  as `require_possible`
 template <int D>
 HierarchyEnd build_hierarchy(Mesh<D> mesh, const HierarchyOptions& options,
                              const LevelSink<D>& sink, Monitor& monitor = Monitor::silent());

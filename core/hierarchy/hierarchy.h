@@ -65,6 +65,7 @@ struct LevelStatistics {
     std::int64_t lines = 0;        ///< lines across layers, found on the finer level
     std::int64_t line_nodes = 0;   ///< nodes on them
     VerdictCounts removal, swaps;  ///< why nodes stayed, and what became of swaps
+    VerdictCounts moves;           ///< what became of moves of nodes
     std::vector<Finding> warnings; ///< unusual, but workable
 };
 

@@ -135,7 +135,17 @@ Mesh<D> take(MeshFile&& file, const fs::path& path) {
 
 HierarchyFolder::HierarchyFolder(fs::path folder, const fs::path& source, Hierarchy start,
                                  std::vector<LevelTiming> timings)
-    : folder_(std::move(folder)), hierarchy_(std::move(start)), timings_(std::move(timings)) {
+    : folder_(std::move(folder)), made_folder_(!fs::exists(folder_)), hierarchy_(std::move(start)),
+      timings_(std::move(timings)) {
+    try {
+        begin(source);
+    } catch (...) {
+        take_back();
+        throw;
+    }
+}
+
+void HierarchyFolder::begin(const fs::path& source) {
     create_folder(folder_);
     remove_others(folder_, hierarchy_);
     if (hierarchy_.levels.empty()) {
@@ -217,6 +227,21 @@ void HierarchyFolder::finish(HierarchyStatus status) {
     write_lists();
 }
 
+void HierarchyFolder::take_back() noexcept {
+    if (hierarchy_.levels.size() > 1) {
+        return;
+    }
+    try {
+        hierarchy_.levels.clear();
+        hierarchy_.input.file = {};
+        remove_others(folder_, hierarchy_);
+        if (made_folder_) {
+            fs::remove(folder_); // fails if somebody put a file there
+        }
+    } catch (const std::exception&) { // the error that ends the run is the one to tell of
+    }
+}
+
 void HierarchyFolder::write_lists() const {
     write_whole_file(folder_ / timing_name, timing_text(timings_, thread_count()));
     write_whole_file(folder_ / list_name, hierarchy_text(hierarchy_));
@@ -279,6 +304,8 @@ Level<D> read_level(const fs::path& folder, const Hierarchy& hierarchy, int leve
     result.mesh = read_level_mesh<D>(folder, hierarchy, level);
     const fs::path state = folder / entry.state.name;
     parse_level_state(read_whole(state), state, result);
+    result.geometry.frozen_patches =
+        frozen_patches(result.mesh, hierarchy.options.coarsen.features);
     // Not from its file: directions and sizes would lose digits by way of the tensor.
     result.natural = nodal_metric(result.mesh, hierarchy.options.coarsen.mean);
     return result;

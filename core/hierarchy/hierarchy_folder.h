@@ -48,17 +48,23 @@ public:
     /// Writes down how it ended.
     void finish(HierarchyStatus status);
 
+    /// Takes back what was begun, where no coarser level came of it: the files of the hierarchy
+    /// go, and the folder if it was made for them. To be called when an error ends the run.
+    void take_back() noexcept;
+
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
     [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
     [[nodiscard]] const std::vector<LevelTiming>& timings() const { return timings_; }
 
 private:
+    void begin(const std::filesystem::path& source);
     void write_lists() const;
     template <int D>
     std::vector<std::string> write_export(const Mesh<D>& mesh, int level,
                                           HierarchyLevel& entry) const;
 
     std::filesystem::path folder_;
+    bool made_folder_ = false;
     Hierarchy hierarchy_;
     std::vector<LevelTiming> timings_;
 };

@@ -52,6 +52,7 @@ Json settings_json(const Hierarchy& h) {
             {"factors", h.options.factors},
             {"target_ratio", h.options.target_ratio},
             {"until_isotropic", h.options.until_isotropic},
+            {"nodes", name(o.nodes)},
             {"rebuild", h.options.rebuild ? "tetgen" : "none"},
             {"slack", o.target.slack},
             {"isotropic_below", o.target.isotropic_below},
@@ -61,9 +62,17 @@ Json settings_json(const Hierarchy& h) {
             {"ridge_angle_deg", o.features.ridge_angle_deg},
             {"corner_angle_deg", o.features.corner_angle_deg},
             {"frozen_patches", o.features.frozen_patches},
+            {"boundary", name(o.features.boundary)},
             {"mesh_suffix", h.mesh_suffix},
             {"export_format", h.export_format},
             {"export_suffix", h.export_suffix}};
+}
+
+BoundaryChoice read_boundary_choice(const std::string& text) {
+    if (const std::optional<BoundaryChoice> choice = boundary_choice_from_name(text)) {
+        return *choice;
+    }
+    throw InputError("unknown boundary \"" + text + "\"");
 }
 
 Mean read_mean(const std::string& text) {
@@ -71,6 +80,13 @@ Mean read_mean(const std::string& text) {
         return *mean;
     }
     throw InputError("unknown mean \"" + text + "\"");
+}
+
+CoarseNodes read_nodes(const std::string& text) {
+    if (const std::optional<CoarseNodes> nodes = coarse_nodes_from_name(text)) {
+        return *nodes;
+    }
+    throw InputError("unknown nodes \"" + text + "\"");
 }
 
 TargetAlgorithm read_algorithm(const std::string& text) {
@@ -89,6 +105,7 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("factors").get_to(h.options.factors);
     json.at("target_ratio").get_to(h.options.target_ratio);
     json.at("until_isotropic").get_to(h.options.until_isotropic);
+    o.nodes = read_nodes(json.value("nodes", "nested"));           // older files do not say
     h.options.rebuild = json.value("rebuild", "none") == "tetgen"; // older files do not say
     json.at("slack").get_to(o.target.slack);
     json.at("isotropic_below").get_to(o.target.isotropic_below);
@@ -98,6 +115,8 @@ void read_settings(const Json& json, Hierarchy& h) {
     json.at("ridge_angle_deg").get_to(o.features.ridge_angle_deg);
     json.at("corner_angle_deg").get_to(o.features.corner_angle_deg);
     json.at("frozen_patches").get_to(o.features.frozen_patches);
+    o.features.boundary = // older files do not say
+        read_boundary_choice(json.value("boundary", std::string(name(BoundaryChoice::coarsen))));
     json.at("mesh_suffix").get_to(h.mesh_suffix);
     json.at("export_format").get_to(h.export_format);
     json.at("export_suffix").get_to(h.export_suffix);

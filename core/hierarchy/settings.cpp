@@ -122,6 +122,43 @@ Setting mean_setting() {
     return s;
 }
 
+Setting nodes_setting() {
+    Setting s;
+    s.name = "nodes";
+    s.label = "Nodes";
+    s.value_name = "WHERE";
+    s.kind = Setting::Kind::choice;
+    s.choices = names_of(all_coarse_nodes);
+    s.help =
+        "where the nodes of a level are: nested (where nodes of the finer one are), moved (where "
+        "the metric wants them: more edges in band, no injection)";
+    s.value = [](const HierarchyOptions& o) { return std::string(name(o.coarsen.nodes)); };
+    s.assign = [](HierarchyOptions& o, const std::string& word) {
+        o.coarsen.nodes = coarse_nodes_from_name(word).value_or(o.coarsen.nodes);
+    };
+    return s;
+}
+
+Setting boundary_setting() {
+    Setting s;
+    s.name = "boundary";
+    s.label = "Boundary";
+    s.value_name = "HOW";
+    s.kind = Setting::Kind::choice;
+    s.choices = names_of(all_boundary_choices);
+    s.help =
+        "coarsen: the boundary is coarsened too, but for the patches of --freeze; keep: all of "
+        "it stays as it is";
+    s.value = [](const HierarchyOptions& o) {
+        return std::string(name(o.coarsen.features.boundary));
+    };
+    s.assign = [](HierarchyOptions& o, const std::string& word) {
+        BoundaryChoice& choice = o.coarsen.features.boundary;
+        choice = boundary_choice_from_name(word).value_or(choice);
+    };
+    return s;
+}
+
 Setting rebuild_setting() {
     Setting s;
     s.name = "rebuild";
@@ -169,6 +206,8 @@ std::vector<Setting> make_settings() {
     all.push_back(number_setting(
         "ridge-angle", "Ridge angle", "DEG", "boundary edges that turn by more degrees are kept", 0,
         180, [](auto& o) -> auto& { return o.coarsen.features.ridge_angle_deg; }));
+    all.push_back(nodes_setting());
+    all.push_back(boundary_setting());
     all.push_back(rebuild_setting());
     return all;
 }

@@ -123,7 +123,10 @@ Json to_json(const LevelStatistics& s) {
         {"conformity", to_json(s.conformity)},
         {"boundary", {{"deviation", s.deviation}, {"deviation_relative", s.deviation_relative}}},
         {"layers", {{"lines", s.lines}, {"nodes_on_lines", s.line_nodes}}},
-        {"verdicts", {{"removal", to_json(s.removal)}, {"swaps", to_json(s.swaps)}}},
+        {"verdicts",
+         {{"removal", to_json(s.removal)},
+          {"swaps", to_json(s.swaps)},
+          {"moves", to_json(s.moves)}}},
         {"warnings", to_json(s.warnings)}};
 }
 
@@ -135,12 +138,30 @@ Json to_json(const LevelTiming& t) {
               {"first_pass", t.phases.first_pass},
               {"remove", t.phases.remove},
               {"swap", t.phases.swap},
+              {"fit", t.phases.fit},
               {"check", t.phases.check},
               {"statistics", t.statistics},
               {"write", t.write},
               {"transfer", t.transfer},
               {"total", t.total()}}},
             {"peak_memory_bytes", t.peak_memory}};
+}
+
+Json to_json(const AdaptReport& r) {
+    return {{"nodes_before", r.nodes_before},
+            {"nodes", r.nodes_after},
+            {"elements_before", r.elements_before},
+            {"elements", r.elements_after},
+            {"predicted_nodes", r.predicted_nodes},
+            {"conformity_before", to_json(r.conformity_before)},
+            {"conformity", to_json(r.conformity)},
+            {"stages", r.stages},
+            {"passes", r.passes.size()},
+            {"splits", to_json(r.splits)},
+            {"collapses", to_json(r.collapses)},
+            {"swaps", to_json(r.swaps)},
+            {"moves", to_json(r.moves)},
+            {"seconds", r.seconds}};
 }
 
 void from_json(const Json& json, BoundaryRepair& repair) {
@@ -170,6 +191,7 @@ void from_json(const Json& json, LevelStatistics& s) {
     json.at("layers").at("nodes_on_lines").get_to(s.line_nodes);
     s.removal = read_verdicts(json.at("verdicts").at("removal"));
     s.swaps = read_verdicts(json.at("verdicts").at("swaps"));
+    s.moves = read_verdicts(json.at("verdicts").value("moves", Json::object())); // newer
     s.warnings = read_findings(json.at("warnings"));
 }
 
@@ -181,6 +203,7 @@ void from_json(const Json& json, LevelTiming& t) {
     seconds.at("first_pass").get_to(t.phases.first_pass);
     seconds.at("remove").get_to(t.phases.remove);
     seconds.at("swap").get_to(t.phases.swap);
+    t.phases.fit = seconds.value("fit", 0.0); // newer than the others
     seconds.at("check").get_to(t.phases.check);
     seconds.at("statistics").get_to(t.statistics);
     seconds.at("write").get_to(t.write);

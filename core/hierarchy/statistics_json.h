@@ -4,6 +4,7 @@
 /// program's `--json`. Keys keep their order.
 #pragma once
 
+#include "core/adapt/adapt.h"
 #include "core/hierarchy/hierarchy.h"
 
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json to_json(const VerdictCounts& counts); ///< those that occurred
 [[nodiscard]] Json to_json(const LevelStatistics& statistics);
 [[nodiscard]] Json to_json(const LevelTiming& timing);
+[[nodiscard]] Json to_json(const AdaptReport& report);
 
 /// The opposite of the above. They throw nlohmann's exceptions when a value is missing or of the
 /// wrong kind, and InputError for a name that does not exist; the reader of the file adds its name.

@@ -95,6 +95,9 @@ double interpolation_constant(const Couplings& couplings, const Transfer& transf
     std::vector<double> weights;
     for (SparseMatrix::InnerIterator it(transfer.P, v.value()); it; ++it) {
         nodes.push_back(transfer.parent[NodeId(static_cast<std::size_t>(it.col()))]);
+        if (!nodes.back().valid()) {
+            return 0;
+        }
         weights.push_back(it.value());
     }
     return interpolation_constant(couplings, v, nodes, weights);

@@ -66,7 +66,8 @@ template <int D>
 [[nodiscard]] double interpolated_coupling(const Couplings& couplings, const Transfer& transfer,
                                            NodeId v);
 
-/// `interpolation_constant` of a removed node in the final mesh; 0 for nodes that were kept.
+/// `interpolation_constant` of a removed node in the final mesh; 0 for nodes that were kept, and
+/// for those whose coarse element has nodes that were moved.
 [[nodiscard]] double interpolation_constant(const Couplings& couplings, const Transfer& transfer,
                                             NodeId v);
 

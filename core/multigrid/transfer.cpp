@@ -242,7 +242,11 @@ Transfer make_transfer(const Mesh<D>& fine, const Mesh<D>& coarse,
     transfer.parent = parent.empty() ? match_nodes(fine, coarse) : parent;
     IdVector<NodeId, NodeId> coarse_of(fine.points.size());
     for (const NodeId c : transfer.parent.ids()) {
-        if (transfer.parent[c].valid()) {
+        NodeId& p = transfer.parent[c];
+        if (p.valid() && fine.points[p] != coarse.points[c]) {
+            p = NodeId(); // it was moved
+        }
+        if (p.valid()) {
             coarse_of[transfer.parent[c]] = c;
         }
     }

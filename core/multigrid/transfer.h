@@ -39,8 +39,9 @@ struct Transfer {
 /// patches on the lines between them, so that boundary values depend on boundary values only.
 /// Inner nodes are located by a walk with exact orientation tests from the nearest coarse node.
 ///
-/// \param parent  [n_c] the fine node at the place of each coarse node, as `coarsen` returns it;
-///                empty: nodes with equal coordinates are matched
+/// \param parent  [n_c] fine node that each coarse one is, as `coarsen` returns it; those at
+/// another
+///                place are not used. Empty: nodes with equal coordinates are matched
 /// \throws Cancelled when asked to stop
 /// \see docs/theory/transfer.md
 template <int D>

@@ -25,6 +25,9 @@ struct RegionSeed {
     double size = 0; ///< edge length wanted there [L]; 0: as everywhere
 };
 
+/// Below this bound of radius over edge no end of refining is in sight.
+inline constexpr double least_radius_edge = 1.1;
+
 struct RecoveryOptions {
     GivenFaces faces = GivenFaces::keep;
     double size = 0;           ///< largest edge length wanted in the volume [L]; 0: as it comes

@@ -145,7 +145,7 @@ Fill fill_surface(const Mesh<3>& surface, const FillOptions& options, const std:
     }
     monitor.progress(0, "testing the surface");
     SurfaceReport report = inspect_surface(whole);
-    require_sound_surface(report, name);
+    require_sound_surface(report, name, repair_helps(whole, report));
     static_cast<void>(repair_surface(whole)); // turns cavities inwards
     const SurfaceTree tree(whole);
     const std::vector<bool> closed(report.parts.size(), true);

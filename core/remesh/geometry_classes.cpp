@@ -11,6 +11,20 @@
 #include <Eigen/Geometry>
 
 namespace ameco {
+
+std::string_view name(BoundaryChoice choice) {
+    return choice == BoundaryChoice::keep ? "keep" : "coarsen";
+}
+
+std::optional<BoundaryChoice> boundary_choice_from_name(std::string_view text) {
+    for (const BoundaryChoice choice : all_boundary_choices) {
+        if (name(choice) == text) {
+            return choice;
+        }
+    }
+    return std::nullopt;
+}
+
 namespace {
 
 double radians(double degrees) {
@@ -66,8 +80,7 @@ std::vector<bool> freeze_interfaces(const Mesh<D>& mesh, GeometryClasses<D>& cla
 }
 
 template <int D>
-void freeze_required(const Mesh<D>& mesh, const FeatureOptions& options,
-                     GeometryClasses<D>& classes) {
+void freeze_required(const Mesh<D>& mesh, GeometryClasses<D>& classes) {
     const auto freeze = [&](const auto& nodes) {
         for (const NodeId v : nodes) {
             classes.node[v] = NodeClass::frozen;
@@ -90,7 +103,7 @@ void freeze_required(const Mesh<D>& mesh, const FeatureOptions& options,
         freeze(mesh.elements[ElementId(e)]);
     }
     for (const FaceId f : mesh.faces.ids()) {
-        const auto& frozen = options.frozen_patches;
+        const auto& frozen = classes.frozen_patches;
         if (std::find(frozen.begin(), frozen.end(), mesh.patch[f]) != frozen.end()) {
             freeze(mesh.faces[f]);
         }
@@ -244,9 +257,18 @@ void classify_boundary_nodes(const Mesh<2>& mesh, const std::vector<bool>& on_bo
 } // namespace
 
 template <int D>
+std::vector<int> frozen_patches(const Mesh<D>& mesh, const FeatureOptions& options) {
+    std::vector<int> patches =
+        options.boundary == BoundaryChoice::keep ? mesh.patch.raw() : options.frozen_patches;
+    std::sort(patches.begin(), patches.end());
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    return patches;
+}
+
+template <int D>
 GeometryClasses<D> classify_geometry(const Mesh<D>& mesh, const FeatureOptions& options) {
     GeometryClasses<D> classes;
-    classes.frozen_patches = options.frozen_patches;
+    classes.frozen_patches = frozen_patches(mesh, options);
     classes.node.assign(mesh.points.size(), NodeClass::interior);
     classes.deviation.assign(mesh.faces.size(), 0.0);
     const std::vector<bool> on_boundary = freeze_interfaces(mesh, classes);
@@ -263,10 +285,12 @@ GeometryClasses<D> classify_geometry(const Mesh<D>& mesh, const FeatureOptions& 
     } else {
         classify_boundary_nodes(mesh, on_boundary, options.corner_angle_deg, classes);
     }
-    freeze_required(mesh, options, classes);
+    freeze_required(mesh, classes);
     return classes;
 }
 
+template std::vector<int> frozen_patches(const Mesh<2>&, const FeatureOptions&);
+template std::vector<int> frozen_patches(const Mesh<3>&, const FeatureOptions&);
 template GeometryClasses<2> classify_geometry(const Mesh<2>&, const FeatureOptions&);
 template GeometryClasses<3> classify_geometry(const Mesh<3>&, const FeatureOptions&);
 

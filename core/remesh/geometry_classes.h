@@ -6,7 +6,10 @@
 
 #include "core/mesh/mesh.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ameco {
@@ -18,11 +21,27 @@ enum class NodeClass : std::uint8_t {
     frozen    ///< corner, required, or on a face inside the domain: stays
 };
 
+/// What becomes of the boundary as a whole.
+enum class BoundaryChoice {
+    coarsen, ///< it is coarsened like the volume
+    keep     ///< every patch is frozen
+};
+
+inline constexpr std::array all_boundary_choices{BoundaryChoice::coarsen, BoundaryChoice::keep};
+
+[[nodiscard]] std::string_view name(BoundaryChoice choice);
+[[nodiscard]] std::optional<BoundaryChoice> boundary_choice_from_name(std::string_view name);
+
 struct FeatureOptions {
     double ridge_angle_deg = 60;  ///< boundary edges that turn by more than this are kept [deg]
     double corner_angle_deg = 50; ///< lines that turn by more than this have a corner there [deg]
     std::vector<int> frozen_patches; ///< patches whose nodes and faces are left untouched
+    BoundaryChoice boundary = BoundaryChoice::coarsen; ///< `keep`: as if all patches were listed
 };
+
+/// The patches of the mesh whose nodes and faces are left untouched, ascending.
+template <int D>
+[[nodiscard]] std::vector<int> frozen_patches(const Mesh<D>& mesh, const FeatureOptions& options);
 
 /// A line of the boundary that coarsening keeps: between patches, sharp, or listed by the file.
 struct RidgeEdge {

@@ -115,7 +115,8 @@ std::string input_body(const ReportContent& content) {
     for (const int patch : h.options.coarsen.features.frozen_patches) {
         frozen += (frozen.empty() ? "" : ", ") + std::to_string(patch);
     }
-    facts.emplace_back("Patches left untouched", frozen.empty() ? "none" : frozen);
+    const bool all = h.options.coarsen.features.boundary == BoundaryChoice::keep;
+    facts.emplace_back("Patches left untouched", all ? "all" : frozen.empty() ? "none" : frozen);
     facts.emplace_back("Program", h.program);
     std::string command = "ameco coarsen";
     std::vector<double> factors;

@@ -6,7 +6,6 @@
 #include "core/mesh/references.h"
 #include "core/mesh/simplex.h"
 #include "core/mesh/surface_edges.h"
-#include "core/surface/surface_report.h"
 #include "core/surface/surface_tree.h"
 
 #include <algorithm>
@@ -219,6 +218,17 @@ SurfaceRepair repair_surface(Mesh<3>& mesh) {
     repair.nodes_dropped =
         std::max<std::int64_t>(0, complete_boundary(mesh).orphans_removed - repair.nodes_merged);
     return repair;
+}
+
+bool repair_helps(const Mesh<3>& surface, const SurfaceReport& report) {
+    const SurfaceDefects& d = report.defects;
+    if (d.duplicate_nodes.empty() && d.duplicate_faces.empty() && d.flat_faces.empty() &&
+        d.disagreeing_edges.empty()) {
+        return false;
+    }
+    Mesh<3> mended = surface;
+    repair_surface(mended);
+    return !mended.faces.empty() && inspect_surface(mended).sound();
 }
 
 std::vector<std::string> repair_remarks(const SurfaceRepair& repair) {

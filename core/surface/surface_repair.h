@@ -3,7 +3,7 @@
 /// Mends what can be mended in a surface without moving a point of it.
 #pragma once
 
-#include "core/mesh/mesh.h"
+#include "core/surface/surface_report.h"
 
 #include <cstdint>
 #include <string>
@@ -33,6 +33,10 @@ struct SurfaceRepair {
 /// Holes, edges of more than two faces and intersections stay: `inspect_surface` names them.
 /// \throws InputError  references or coordinates that make no sense
 SurfaceRepair repair_surface(Mesh<3>& mesh);
+
+/// Whether `repair_surface` would make a sound surface of one that is not.
+/// \param report  of the surface, with intersections looked for
+[[nodiscard]] bool repair_helps(const Mesh<3>& surface, const SurfaceReport& report);
 
 /// What was done, one line each.
 [[nodiscard]] std::vector<std::string> repair_remarks(const SurfaceRepair& repair);

@@ -351,9 +351,12 @@ std::vector<std::string> defect_remarks(const SurfaceDefects& defects) {
     return remarks;
 }
 
-void require_sound_surface(const SurfaceReport& report, const std::string& name) {
+void require_sound_surface(const SurfaceReport& report, const std::string& name,
+                           bool repair_helps) {
     std::vector<std::string> remarks;
-    remark_serious(remarks, report.defects);
+    if (!repair_helps) {
+        remark_serious(remarks, report.defects);
+    }
     if (!remarks.empty()) {
         throw InputError(name + ": does not bound a volume: " + joined(remarks) +
                          "; mend it where it was made (ameco surface lists everything)");

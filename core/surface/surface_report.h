@@ -73,9 +73,12 @@ struct SurfaceReport {
 /// What is wrong, one line per kind: how often, and the first few places, 0-based.
 [[nodiscard]] std::vector<std::string> defect_remarks(const SurfaceDefects& defects);
 
-/// \param name  of the surface, for the message
+/// \param name          of the surface, for the message
+/// \param repair_helps  `repair_surface` makes it sound (surface_repair.h): then only what that
+///                      mends is told, and not what follows from it
 /// \throws InputError  the surface does not bound a volume: what is wrong, where, and whether
 ///                     `ameco surface --repair` can mend it
-void require_sound_surface(const SurfaceReport& report, const std::string& name);
+void require_sound_surface(const SurfaceReport& report, const std::string& name,
+                           bool repair_helps = false);
 
 } // namespace ameco

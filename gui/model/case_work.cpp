@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/stop_check.h"
 #include "core/base/text.h"
+#include "core/coarsen/level_report.h"
 #include "core/hierarchy/hierarchy_folder.h"
 #include "core/io/format.h"
 #include "core/io/io.h"
@@ -29,18 +30,6 @@ std::shared_ptr<const SceneData> make_scene(const std::shared_ptr<const AnyLevel
     return make_scene_data(std::move(input), monitor);
 }
 
-/// The metric that was asked for, at the nodes that are left.
-template <int D>
-MetricField<D> asked_metric(const Level<D>& fine, const Level<D>& coarse,
-                            const TargetOptions& options) {
-    const MetricField<D> target = target_metric(fine.mesh, fine.natural, options);
-    MetricField<D> asked(coarse.parent.size());
-    for (const NodeId v : coarse.parent.ids()) {
-        asked[v] = target[coarse.parent[v]];
-    }
-    return asked;
-}
-
 /// Whatever of a level can be worked out from the level itself and the finer one.
 /// \param fine  null for the finest level
 template <int D>
@@ -58,7 +47,10 @@ CaseLevel complete_level(Level<D> level, const Level<D>* fine, LevelStatistics s
             fine == nullptr
                 ? classify_conformity(level.mesh, level.natural)
                 : classify_conformity(level.mesh,
-                                      asked_metric(*fine, level, result.options.coarsen.target));
+                                      wanted_metric(fine->mesh,
+                                                    target_metric(fine->mesh, fine->natural,
+                                                                  result.options.coarsen.target),
+                                                    level));
     }
     result.level = std::make_shared<const AnyLevel>(std::move(level));
     result.scene = make_scene<D>(result.level, statistics.level, {}, monitor);
@@ -82,10 +74,6 @@ void tell_repairs(const fs::path& path, const BoundaryRepair& repair, Monitor& m
     for (const std::string& remark : repair_remarks(repair)) {
         monitor.message(Severity::info, name + remark);
     }
-}
-
-void stop_if_asked(const Monitor& monitor) {
-    stop_if_asked(monitor);
 }
 
 /// A surface has no metric and cannot be coarsened, but it can be looked at.

@@ -18,6 +18,9 @@ private slots:
     void writes_the_format_of_a_solver_when_asked();
     void copies_the_input_when_asked();
     void freezes_patches_by_name_and_by_id();
+    void keeps_the_boundary_when_asked();
+    void moves_nodes_when_asked();
+    void leaves_no_folder_behind_when_it_fails();
     void refuses_patches_that_do_not_exist();
     void leaves_a_folder_alone_that_is_in_use();
     void replaces_a_hierarchy_when_forced();
@@ -178,6 +181,72 @@ void CoarsenRunTest::freezes_patches_by_name_and_by_id() {
     QCOMPARE(contents("named"), contents("numbered"));
     QCOMPARE(faces("named/level_1.meshb", 0), faces("cube.meshb", 0));
     QVERIFY(faces("named/level_1.meshb", 1) < faces("cube.meshb", 1));
+}
+
+void CoarsenRunTest::keeps_the_boundary_when_asked() {
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "6", "-o", "cube.meshb"}).code, 0);
+    const QStringList keep{"coarsen", "cube.meshb", "--boundary", "keep", "-o"};
+    const Run run = here_.ameco(keep + QStringList{"kept", "-n", "2", "--json"});
+    QVERIFY2(run.code == 0, run.text());
+    const auto levels = run.json().at("hierarchy").at("levels");
+    for (const auto& level : levels) {
+        QCOMPARE(level.at("boundary_faces").get<int>(), 6 * 6 * 6 * 2);
+    }
+    QVERIFY(levels.at(1).at("nodes").get<int>() < levels.at(0).at("nodes").get<int>());
+    // What was decided on the finest level holds for a level that is made later.
+    QCOMPARE(here_.ameco(keep + QStringList{"kept_later", "-n", "1"}).code, 0);
+    QCOMPARE(here_.ameco(keep + QStringList{"kept_later", "-n", "2", "--resume"}).code, 0);
+    QCOMPARE(contents("kept_later"), contents("kept"));
+    const Run other = here_.ameco({"coarsen", "cube.meshb", "-o", "kept", "-n", "3", "--resume"});
+    QVERIFY2(other.code == 2 && other.err.contains("other settings (boundary)"), other.text());
+}
+
+void CoarsenRunTest::moves_nodes_when_asked() {
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "10", "-o", "for_moves.meshb"}).code, 0);
+    const auto run = [&](const QString& folder, const QStringList& more) {
+        return here_.ameco(
+            QStringList{"coarsen", "for_moves.meshb", "--transfer", "-o", folder, "--json"} + more);
+    };
+    const auto nested = run("nested_nodes", {"-n", "2"});
+    const auto moved = run("moved_nodes", {"-n", "2", "--nodes", "moved"});
+    QVERIFY2(moved.code == 0, moved.text());
+    const auto level_of = [](const Run& r) { return r.json().at("hierarchy").at("levels").at(1); };
+    QCOMPARE(level_of(moved).at("nodes"), level_of(nested).at("nodes"));
+    QVERIFY(level_of(moved).at("conformity").at("in_band").get<double>() >
+            level_of(nested).at("conformity").at("in_band").get<double>());
+    QVERIFY(level_of(moved).at("verdicts").at("moves").at("accepted").get<int>() > 0);
+    QVERIFY(here_.content("moved_nodes/parent_0.txt").contains("\n-1\n"));
+    QVERIFY(!here_.content("nested_nodes/parent_0.txt").contains("\n-1\n"));
+    QCOMPARE(here_.ameco({"multigrid", "moved_nodes"}).code, 0);
+    // Interrupted and continued, the levels are the same.
+    QCOMPARE(run("moved_later", {"-n", "1", "--nodes", "moved"}).code, 0);
+    QCOMPARE(run("moved_later", {"-n", "2", "--nodes", "moved", "--resume"}).code, 0);
+    QCOMPARE(contents("moved_later"), contents("moved_nodes"));
+    const Run other = run("moved_later", {"-n", "3", "--resume"});
+    QVERIFY2(other.code == 2 && other.err.contains("other settings (nodes)"), other.text());
+}
+
+void CoarsenRunTest::leaves_no_folder_behind_when_it_fails() {
+    // Refused before anything is made; failed while the first files were written.
+    QCOMPARE(here_
+                 .ameco({"coarsen", "layer.meshb", "-o", "begun", "--rebuild", "tetgen", "--factor",
+                         "4"})
+                 .code,
+             2);
+    QVERIFY(!QFile::exists(here_.path("begun")));
+    const Run full = here_.shell("trap '' XFSZ; ulimit -f 8; "
+                                 "exec \"$AMECO\" coarsen layer.meshb -o begun");
+    QVERIFY2(full.code == 4, full.text());
+    QVERIFY(!QFile::exists(here_.path("begun")));
+    // A refusal leaves the hierarchy alone that it would have replaced.
+    QCOMPARE(here_.ameco({"coarsen", "layer.meshb", "-o", "held", "-n", "1"}).code, 0);
+    const auto before = contents("held");
+    QCOMPARE(here_
+                 .ameco({"coarsen", "layer.meshb", "-o", "held", "--force", "--rebuild", "tetgen",
+                         "--target-ratio", "3"})
+                 .code,
+             2);
+    QCOMPARE(contents("held"), before);
 }
 
 void CoarsenRunTest::refuses_patches_that_do_not_exist() {
@@ -379,7 +448,7 @@ void CoarsenRunTest::keeps_what_it_has_when_the_disk_is_full() {
     const Run run = here_.shell("trap '' XFSZ; ulimit -f " + limit +
                                 "; exec \"$AMECO\" coarsen layer.meshb -o full");
     QVERIFY2(run.code == 4 && run.err.startsWith("ameco: full/"), run.text());
-    QCOMPARE(broken_part_of(here_, "full"), QString());
+    QVERIFY(!QFile::exists(here_.path("full"))); // nothing was made
     const Run resumed =
         here_.ameco({"coarsen", "layer.meshb", "-o", "full", "-n", "3", "--resume"});
     QVERIFY2(resumed.code == 0, resumed.text());

@@ -22,6 +22,8 @@ private slots:
     void fill_follows_a_metric();
     void fill_refuses_broken_surfaces_data();
     void fill_refuses_broken_surfaces();
+    void each_broken_sample_is_refused_in_its_own_words_data();
+    void each_broken_sample_is_refused_in_its_own_words();
     void fill_leaves_nothing_behind_when_it_fails();
     void layers_grow_on_a_surface();
     void layers_on_a_sharp_body_are_shortened_or_left_out();
@@ -211,7 +213,8 @@ void SurfaceRunTest::fill_refuses_broken_surfaces_data() {
     QTest::newRow("open") << Icosahedron{.open = true}.stl() << "3 open edges, with one face only";
     QTest::newRow("turned") << Icosahedron{.turned = true}.stl()
                             << "--repair mends this without loss";
-    QTest::newRow("twice") << Icosahedron{.twice = true}.stl() << "edges of more than two faces";
+    QTest::newRow("twice") << Icosahedron{.twice = true}.stl()
+                           << "1 pair of faces on the same nodes";
     QTest::newRow("pushed through")
         << Icosahedron{.push = 2.5}.stl() << "pairs of faces that intersect";
     QTest::newRow("pushed to the other side") << Icosahedron{.push = 2}.stl() << "";
@@ -232,6 +235,40 @@ void SurfaceRunTest::fill_refuses_broken_surfaces() {
     QVERIFY2(run.err.startsWith("ameco: broken.stl: ") && run.err.count('\n') == 1, run.text());
     QVERIFY2(run.err.contains(words), run.text());
     QVERIFY(!here_.files(".").contains("never.meshb"));
+}
+
+void SurfaceRunTest::each_broken_sample_is_refused_in_its_own_words_data() {
+    QTest::addColumn<QString>("words");
+    const auto row = [](const char* file, const char* words) { QTest::newRow(file) << words; };
+    row("common_edge", "1 edge of more than two faces: 3-7; %1");
+    row("common_node", "1 node where parts of the surface only touch: 7; %1");
+    row("far_node", "vertex 8 has a coordinate that is not finite");
+    row("flat_face", "1 face without area: 13; %2");
+    row("one_sided", "24 open edges, with one face only: 0-2, 0-23, ");
+    row("open", "3 open edges, with one face only: 1-5, 1-7, 5-7; %1");
+    row("overlapping", "12 pairs of faces that intersect: ");
+    row("own_nodes", "28 pairs of nodes at the same point: 0-3, ");
+    row("pushed_onto", "8 pairs of faces that intersect: 0-6, ");
+    row("pushed_through", "5 pairs of faces that intersect: 0-2, 0-3, 0-6, 1-2, 1-11; %1");
+    row("turned", "3 edges whose two faces are turned differently: 4-6, 4-7, 6-7; %2");
+    row("twice", "1 pair of faces on the same nodes: 2-12; %2");
+    row("wall_inside", "4 edges of more than two faces: 0-3, 0-4, 3-7, 4-7; %1");
+}
+
+void SurfaceRunTest::each_broken_sample_is_refused_in_its_own_words() {
+    QFETCH(QString, words);
+    words.replace("%1", "mend it where it was made");
+    words.replace("%2", "ameco surface --repair mends this without loss");
+    const QDir samples(QString(AMECO_SOURCE_DIR) + "/sample_meshes/broken_surfaces");
+    const QString file = samples.filePath(QString(QTest::currentDataTag()) + ".mesh");
+    const Run run = here_.ameco({"fill", file, "-o", "never.meshb"});
+    QVERIFY2(run.code == 5 && run.err.count('\n') == 1, run.text());
+    QVERIFY2(run.err.startsWith("ameco: " + file + ": ") && run.err.contains(words), run.text());
+    QVERIFY(!QFile::exists(here_.path("never.meshb")));
+    if (words.endsWith("without loss")) {
+        QVERIFY(here_.ameco({"surface", file, "--repair", "-o", "mended.mesh"}).code == 0);
+    }
+    QCOMPARE(samples.entryList({"*.mesh"}).size(), qsizetype{13}); // all of them are rows
 }
 
 void SurfaceRunTest::fill_leaves_nothing_behind_when_it_fails() {
@@ -301,6 +338,7 @@ void SurfaceRunTest::levels_are_rebuilt() {
         const Run refused = here_.ameco(
             QStringList{"coarsen", "-o", "no" + more.last(), "--rebuild", "tetgen"} + more);
         QVERIFY2(refused.code == 2 && refused.err.contains("--rebuild: "), refused.text());
+        QVERIFY(!QFile::exists(here_.path("no" + more.last())));
     }
 }
 

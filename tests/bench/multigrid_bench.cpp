@@ -7,8 +7,8 @@
 /// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
 /// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2`
 /// makes cycles of every second level only; `factor` is that of the sizes from level to level. The
-/// rules of the coarsening are changed by mean, slack, dominance, passes, reach, later-reach,
-/// coupling-bound, layer-bound and direction-bound.
+/// rules of the coarsening are changed by nodes, mean, slack, dominance, passes, reach,
+/// later-reach, coupling-bound, layer-bound and direction-bound.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -259,6 +259,8 @@ int main(int argc, char** argv) {
             options.skip = std::max(1, std::stoi(value));
         } else if (key == "mean") {
             coarsening.mean = mean_from_name(value).value_or(coarsening.mean);
+        } else if (key == "nodes") {
+            coarsening.nodes = coarse_nodes_from_name(value).value_or(coarsening.nodes);
         } else if (key == "passes") {
             coarsening.passes = std::stoi(value);
         } else if (number.contains(key)) {

@@ -22,7 +22,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, Union, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Union, overload
 
 from . import _core
 from ._core import (
@@ -42,6 +42,7 @@ from ._core import (
     complexity,
     conformity,
     read_metric,
+    read_surface,
     set_threads,
     settings,
     threads,
@@ -59,6 +60,7 @@ __all__ = [
     "CheckReport",
     "Error",
     "FileError",
+    "Filled",
     "Finding",
     "Hierarchy",
     "InputError",
@@ -66,17 +68,21 @@ __all__ = [
     "Mesh",
     "MetricField",
     "NotConverged",
+    "Remeshed",
     "UsageError",
     "case",
     "cases",
     "coarsen",
     "complexity",
     "conformity",
+    "fill",
     "hierarchy",
     "mesh",
     "natural_metric",
     "read",
     "read_metric",
+    "read_surface",
+    "remesh",
     "set_threads",
     "settings",
     "target_metric",
@@ -238,6 +244,9 @@ def coarsen(
     mean: str = "blended",
     surface_deviation: float = 0.13,
     ridge_angle: float = 60.0,
+    nodes: str = "nested",
+    boundary: str = "coarsen",
+    rebuild: str = "none",
     freeze: Sequence[int | str] = (),
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -258,6 +267,9 @@ def coarsen(
         mean=mean,
         surface_deviation=surface_deviation,
         ridge_angle=ridge_angle,
+        nodes=nodes,
+        boundary=boundary,
+        rebuild=rebuild,
         freeze=freeze,
     )
     if isinstance(fine, Level):
@@ -334,6 +346,8 @@ def hierarchy(
     mean: str = "blended",
     surface_deviation: float = 0.13,
     ridge_angle: float = 60.0,
+    nodes: str = "nested",
+    boundary: str = "coarsen",
     rebuild: str = "none",
     freeze: Sequence[int | str] = (),
     progress: Progress | None = None,
@@ -356,11 +370,103 @@ def hierarchy(
         mean=mean,
         surface_deviation=surface_deviation,
         ridge_angle=ridge_angle,
+        nodes=nodes,
+        boundary=boundary,
         rebuild=rebuild,
         freeze=freeze,
     )
     made, status = _core.hierarchy(mesh, options, progress, cancel)
     return Hierarchy(made, status, options)
+
+
+class Filled(NamedTuple):
+    """A filled surface, as `fill` makes it."""
+
+    mesh: Mesh
+    """Tets; the first nodes are those of the surface, in their order."""
+    report: dict[str, Any]
+    """Counts, and conformity to the metric: as `ameco fill --json` gives them."""
+
+
+def fill(
+    surface: Mesh,
+    metric: MetricField | ArrayLike | None = None,
+    *,
+    size: float | None = None,
+    growth: float = 0.2,
+    farfield: str | None = None,
+    holes: ArrayLike = (),
+    regions: Sequence[tuple[Sequence[float], int] | tuple[Sequence[float], int, float]] = (),
+    boundary: str = "keep",
+    radius_edge: float = 1.6,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Filled:
+    """Fills a closed surface, or the space around it, with tets: what `ameco fill` does.
+
+    `surface` is one of `read_surface`, or a mesh whose boundary is meant. `metric` is known at the
+    nodes of the surface, and grows with the distance. `farfield` is "box", "sphere", "box:20" or
+    "sphere:20"; `holes` are points, `regions` points with a region and, perhaps, a size. Raises
+    InputError that names the faces when the surface bounds no volume.
+    """
+    given = metric if metric is None or isinstance(metric, MetricField) else MetricField(metric)
+    options = dict(
+        size=size,
+        growth=growth,
+        farfield=farfield,
+        holes=holes,
+        regions=regions,
+        boundary=boundary,
+        radius_edge=radius_edge,
+    )
+    return Filled(*_core.fill(surface, given, options, progress, cancel))
+
+
+class Remeshed(NamedTuple):
+    """An adapted mesh, as `remesh` makes it."""
+
+    mesh: Mesh
+    """The adapted mesh."""
+    metric: MetricField
+    """The metric it was adapted to, at its nodes."""
+    report: dict[str, Any]
+    """Counts, conformity before and after, verdicts: as `ameco remesh --json` gives them."""
+
+
+def remesh(
+    mesh: Mesh,
+    metric: MetricField | ArrayLike | None = None,
+    *,
+    size: float | None = None,
+    interpolation: str = "corrected",
+    node_nested: bool = False,
+    engine: str = "fast",
+    quality: str | None = None,
+    passes: int = 20,
+    surface_deviation: float = 0.13,
+    ridge_angle: float = 60.0,
+    freeze: Sequence[int | str] = (),
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Remeshed:
+    """Adapts a mesh to any metric, finer or coarser: what `ameco remesh` does.
+
+    `metric` has one tensor per node of `mesh`: a MetricField, or an array as `MetricField.tensors`;
+    `size` stands for the same edge length everywhere. `quality` None is that of the engine. Raises
+    Cancelled when stopped.
+    """
+    given = metric if metric is None or isinstance(metric, MetricField) else MetricField(metric)
+    options = dict(
+        interpolation=interpolation,
+        node_nested=node_nested,
+        engine=engine,
+        quality=quality,
+        passes=passes,
+        surface_deviation=surface_deviation,
+        ridge_angle=ridge_angle,
+        freeze=freeze,
+    )
+    return Remeshed(*_core.remesh(mesh, given, size, options, progress, cancel))
 
 
 def transfer(

@@ -198,6 +198,24 @@ def coarsen_level(
 def hierarchy(
     mesh: Mesh, options: Mapping[str, Any], progress: object, cancel: object
 ) -> tuple[list[Level], str]: ...
+def read_surface(path: str | PathLike[str]) -> Mesh:
+    """Reads a surface, or the boundary of a mesh, as a mesh of faces without elements."""
+
+def fill(
+    surface: Mesh,
+    metric: MetricField | None,
+    options: Mapping[str, Any],
+    progress: object,
+    cancel: object,
+) -> tuple[Mesh, dict[str, Any]]: ...
+def remesh(
+    mesh: Mesh,
+    metric: MetricField | None,
+    size: float | None,
+    options: Mapping[str, Any],
+    progress: object,
+    cancel: object,
+) -> tuple[Mesh, MetricField, dict[str, Any]]: ...
 def write_hierarchy(
     folder: PathLike[str],
     source: PathLike[str],

@@ -84,6 +84,11 @@ class CoarsenTest(unittest.TestCase):
             ameco.coarsen(frozen, freeze=["farfield"])
         with self.assertRaisesRegex(ameco.UsageError, "did you mean wing"):
             ameco.coarsen(mesh, freeze=["wnig"])
+        kept = ameco.coarsen(mesh, boundary="keep")
+        self.assertEqual(len(kept.mesh.faces), len(mesh.faces))
+        self.assertLess(len(kept.mesh.nodes), len(mesh.nodes))
+        with self.assertRaisesRegex(ameco.UsageError, "boundary: a level keeps"):
+            ameco.coarsen(frozen, boundary="keep")
         factors = ameco.hierarchy(mesh, 2, factor=[2, 3])
         self.assertEqual([level.statistics["factor"] for level in factors], [1, 2, 3])
         ratio = ameco.coarsen(mesh, target_ratio=1.9).statistics["ratio"]

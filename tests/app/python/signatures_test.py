@@ -77,7 +77,13 @@ class StubTest(unittest.TestCase):
 class DefaultsTest(unittest.TestCase):
     def test_are_those_of_the_command_line(self):
         table = ameco.settings()
-        for function in (ameco.hierarchy, ameco.coarsen, ameco.target_metric, ameco.natural_metric):
+        for function in (
+            ameco.hierarchy,
+            ameco.coarsen,
+            ameco.remesh,
+            ameco.target_metric,
+            ameco.natural_metric,
+        ):
             for name, parameter in inspect.signature(function).parameters.items():
                 if name in table:
                     where = f"{function.__name__}: {name}"
@@ -87,7 +93,14 @@ class DefaultsTest(unittest.TestCase):
         )
 
     def test_are_those_that_the_help_tells(self):
-        run = subprocess.run([PROGRAM, "coarsen", "--help"], capture_output=True, text=True)
+        self.assertEqual(self.compared("coarsen", ameco.hierarchy), 13)
+        # Of no quality, and of no size, the help does not tell.
+        self.assertEqual(self.compared("remesh", ameco.remesh, leave_out={"quality"}), 5)
+        self.assertEqual(self.compared("fill", ameco.fill), 3)
+
+    def compared(self, command, function, leave_out=frozenset()):
+        """Compares defaults of a function with those in the help of a command; returns how many."""
+        run = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True)
         blocks = re.split(r"^  (?:-\w, |    )--(?=[a-z])", run.stdout, flags=re.MULTILINE)[1:]
         defaults = {}
         for block in blocks:
@@ -95,12 +108,12 @@ class DefaultsTest(unittest.TestCase):
             if match := re.match(r"([a-z-]+) .*\[(.*)\]$", text):
                 defaults[match[1].replace("-", "_")] = match[2]
         compared = 0
-        for name, parameter in inspect.signature(ameco.hierarchy).parameters.items():
-            if name in defaults and name != "progress":
+        for name, parameter in inspect.signature(function).parameters.items():
+            if name in defaults and name not in leave_out | {"progress"}:
                 default = "off" if parameter.default is None else str(parameter.default)
                 self.assertEqual(defaults[name], re.sub(r"\.0$", "", default), name)
                 compared += 1
-        self.assertEqual(compared, 11)
+        return compared
 
 
 if __name__ == "__main__":

@@ -26,4 +26,10 @@ def coarse_nodes(path: str) -> NDArray[np.float64]:
     count: int = len(mesh.elements) + len(sizes)
     built = ameco.mesh(mesh.nodes, mesh.elements, patch_names={1: "wing"})
     print(count, built.check().valid, levels.transfer(0).shape)
+    adapted: ameco.Mesh = ameco.remesh(mesh, metric, node_nested=True, freeze=[3]).mesh
+    finer, at_nodes, told = ameco.remesh(adapted, np.ones((7, 6)), progress=report, cancel=stop)
+    print(len(finer.nodes), at_nodes.sizes.min(), told["conformity"])
+    surface: ameco.Mesh = ameco.read_surface(path)
+    air: ameco.Filled = ameco.fill(surface, farfield="sphere:20", regions=[((0, 0, 0), 2, 0.1)])
+    print(air.report["added_nodes"], ameco.fill(surface, size=0.1, holes=[[0, 0, 0]]).mesh.elements)
     return last.mesh.nodes

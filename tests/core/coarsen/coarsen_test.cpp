@@ -7,6 +7,7 @@
 #include "core/cases/cube.h"
 #include "core/cases/layer.h"
 #include "core/cases/onera_m6.h"
+#include "tests/support/faces.h"
 
 #include <QTest>
 
@@ -105,6 +106,7 @@ private slots:
     void a_small_wing_keeps_its_patches_and_stays_valid();
     void threads_do_not_change_the_result();
     void frozen_patches_are_left_untouched();
+    void the_boundary_is_kept_when_asked();
     void a_request_to_stop_is_answered_with_cancelled_data();
     void a_request_to_stop_is_answered_with_cancelled();
     void the_boundary_stays_within_its_tolerance();
@@ -327,26 +329,23 @@ void CoarsenTest::frozen_patches_are_left_untouched() {
     CoarsenOptions options;
     options.features.frozen_patches = {3};
     const auto result = run(mesh, 2, options);
-    const auto faces = [](const Mesh<3>& m) {
-        std::set<std::array<double, 9>> out;
-        for (const FaceId f : m.faces.ids()) {
-            if (m.patch[f] == 3) {
-                std::array<std::array<double, 3>, 3> x;
-                for (std::size_t i = 0; i < 3; ++i) {
-                    std::copy_n(m.points[m.faces[f][i]].data(), 3, x[i].begin());
-                }
-                std::sort(x.begin(), x.end());
-                std::array<double, 9> flat;
-                for (std::size_t i = 0; i < 9; ++i) {
-                    flat[i] = x[i / 3][i % 3];
-                }
-                out.insert(flat);
-            }
-        }
-        return out;
-    };
-    QCOMPARE(faces(result.levels[2].mesh), faces(mesh));
+    QCOMPARE(test::faces_of(result.levels[2].mesh, 3), test::faces_of(mesh, 3));
     QVERIFY(result.levels[2].mesh.points.size() * 2 < mesh.points.size());
+}
+
+void CoarsenTest::the_boundary_is_kept_when_asked() {
+    CoarsenOptions options;
+    options.features.boundary = BoundaryChoice::keep;
+    const auto wing = make_onera_m6(onera_m6_presets().front().options);
+    const auto levels = run(wing, 2, options).levels;
+    const auto square = make_cube<2>({.n = 12, .displace = 0.2});
+    const auto flat = run(square, 2, options).levels;
+    for (std::size_t k = 1; k <= 2; ++k) {
+        QCOMPARE(test::faces_of(levels[k].mesh), test::faces_of(wing));
+        QCOMPARE(test::faces_of(flat[k].mesh), test::faces_of(square));
+        QVERIFY(levels[k].mesh.points.size() < levels[k - 1].mesh.points.size());
+        QVERIFY(flat[k].mesh.points.size() < flat[k - 1].mesh.points.size());
+    }
 }
 
 void CoarsenTest::a_request_to_stop_is_answered_with_cancelled_data() {

@@ -5,7 +5,9 @@
 #include "core/cases/cube.h"
 #include "core/cases/layer.h"
 #include "core/cases/shell.h"
+#include "core/hierarchy/build_hierarchy.h"
 #include "core/recovery/fill.h"
+#include "tests/support/faces.h"
 
 #include <QTest>
 
@@ -19,6 +21,7 @@ private slots:
     void gives_a_valid_nested_level();
     void coarsens_isotropic_meshes_as_predicted();
     void the_boundary_stays_within_its_bound();
+    void the_boundary_is_kept_when_asked();
     void refuses_meshes_of_several_regions();
 };
 
@@ -100,6 +103,18 @@ void RebuildTest::the_boundary_stays_within_its_bound() {
     QVERIFY(report.deviation_relative <= options.removal.surface.relative_distance);
 }
 
+void RebuildTest::the_boundary_is_kept_when_asked() {
+    CoarsenOptions options;
+    options.features.boundary = BoundaryChoice::keep;
+    const Mesh<3> shell = mesh_of("shell");
+    const Level<3> level = finest_level(shell, options);
+    CoarsenReport report;
+    const Level<3> coarse = rebuild_level(level, options, report);
+    QCOMPARE(test::faces_of(coarse.mesh), test::faces_of(shell));
+    QVERIFY(coarse.mesh.points.size() < shell.points.size());
+    QCOMPARE(coarse.geometry.frozen_patches, level.geometry.frozen_patches);
+}
+
 void RebuildTest::refuses_meshes_of_several_regions() {
     Mesh<3> mesh = make_cube<3>({.n = 3});
     for (std::size_t e = 0; e < mesh.elements.size(); e += 2) {
@@ -109,6 +124,10 @@ void RebuildTest::refuses_meshes_of_several_regions() {
     const Level<3> level = finest_level(mesh, options);
     CoarsenReport report;
     QVERIFY_THROWS_EXCEPTION(UsageError, (void)rebuild_level(level, options, report));
+    HierarchyOptions hierarchy;
+    require_possible(mesh, hierarchy);
+    hierarchy.rebuild = true; // known before anything is made
+    QVERIFY_THROWS_EXCEPTION(UsageError, require_possible(mesh, hierarchy));
 }
 
 QTEST_APPLESS_MAIN(RebuildTest)

@@ -28,6 +28,9 @@ private slots:
     void a_damaged_export_is_made_anew();
     void knows_its_files_by_name();
     void refuses_a_file_in_place_of_the_folder();
+    void takes_back_what_was_begun_for_nothing();
+    void takes_nothing_back_that_is_of_use();
+    void gives_back_which_patches_are_frozen();
 
 private:
     /// Makes a hierarchy of two coarser levels in the folder `out`.
@@ -211,6 +214,45 @@ void HierarchyFolderTest::knows_its_files_by_name() {
 void HierarchyFolderTest::refuses_a_file_in_place_of_the_folder() {
     QVERIFY_EXCEPTION_THROWN(
         HierarchyFolder(*this / "cube.meshb", *this / "cube.meshb", Hierarchy()), FileError);
+}
+
+void HierarchyFolderTest::takes_back_what_was_begun_for_nothing() {
+    Hierarchy start;
+    start.input.copied = true;
+    HierarchyFolder folder(*this / "out", *this / "cube.meshb", start);
+    folder.add_level(finest_level(small_mesh<3>(), {}), {}, {});
+    QVERIFY(fs::exists(*this / "out" / "metric_0.solb"));
+    folder.take_back();
+    QVERIFY(!fs::exists(*this / "out"));
+    QVERIFY(fs::exists(*this / "cube.meshb"));
+    // A folder that was there stays, with what somebody else put there.
+    fs::create_directory(*this / "mine");
+    std::ofstream(*this / "mine" / "notes.txt") << "x";
+    HierarchyFolder(*this / "mine", *this / "cube.meshb", start).take_back();
+    QCOMPARE(contents_of(*this / "mine").size(), std::size_t{1});
+    // The copy of a file that is not there fails before there is an object.
+    QVERIFY_EXCEPTION_THROWN(HierarchyFolder(*this / "out", *this / "nothing.meshb", start),
+                             FileError);
+    QVERIFY(!fs::exists(*this / "out"));
+}
+
+void HierarchyFolderTest::takes_nothing_back_that_is_of_use() {
+    make();
+    const auto before = contents_of(*this / "out");
+    HierarchyFolder folder(*this / "out", *this / "cube.meshb", read_hierarchy(*this / "out"));
+    folder.finish(HierarchyStatus::complete);
+    folder.take_back();
+    QCOMPARE(contents_of(*this / "out").size(), before.size());
+}
+
+void HierarchyFolderTest::gives_back_which_patches_are_frozen() {
+    make();
+    Hierarchy h = read_hierarchy(*this / "out");
+    h.options.coarsen.features.frozen_patches = {2};
+    QCOMPARE(read_level<3>(*this / "out", h, 1).geometry.frozen_patches, std::vector<int>{2});
+    h.options.coarsen.features.boundary = BoundaryChoice::keep;
+    QCOMPARE(read_level<3>(*this / "out", h, 1).geometry.frozen_patches,
+             (std::vector<int>{1, 2, 3, 4, 5, 6}));
 }
 
 QTEST_APPLESS_MAIN(HierarchyFolderTest)

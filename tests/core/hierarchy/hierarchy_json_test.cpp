@@ -76,6 +76,8 @@ Hierarchy example() {
     h.options.until_isotropic = true;
     h.options.rebuild = true;
     h.options.coarsen.features.frozen_patches = {1, 4};
+    h.options.coarsen.features.boundary = BoundaryChoice::keep;
+    h.options.coarsen.nodes = CoarseNodes::moved;
     h.input.file = {"../wing.meshb", 0x1234u};
     h.input.format = "Medit binary, version 2";
     h.input.repair = {1, 2, true, 3, 4};
@@ -101,6 +103,8 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QCOMPARE(read.options.target_ratio, 2.125);
     QVERIFY(read.options.until_isotropic);
     QVERIFY(read.options.rebuild);
+    QCOMPARE(read.options.coarsen.features.boundary, BoundaryChoice::keep);
+    QVERIFY(read.options.coarsen.nodes == CoarseNodes::moved);
     QCOMPARE(read.levels[1].statistics.factor, 2.25);
     QCOMPARE(read.options.coarsen.target.algorithm, TargetAlgorithm::graded);
     QCOMPARE(read.options.coarsen.target.gradation, 1.25);
@@ -186,7 +190,8 @@ void HierarchyJsonTest::says_which_settings_differ() {
     QCOMPARE(different_settings(a, b), std::string());
     b.options.coarsen.target.factor = 3;
     b.options.coarsen.features.frozen_patches.clear();
-    QCOMPARE(different_settings(a, b), std::string("factor, frozen_patches"));
+    b.options.coarsen.features.boundary = BoundaryChoice::coarsen;
+    QCOMPARE(different_settings(a, b), std::string("factor, frozen_patches, boundary"));
 }
 
 void HierarchyJsonTest::keeps_timings() {

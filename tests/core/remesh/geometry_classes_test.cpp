@@ -74,6 +74,7 @@ private slots:
     void smooth_surfaces_have_no_ridges();
     void lines_with_a_sharp_turn_have_a_corner_there();
     void frozen_patches_are_frozen();
+    void all_patches_are_frozen_when_the_boundary_is_kept();
     void required_and_listed_entities_are_frozen();
     void interfaces_between_regions_are_frozen();
     void listed_edges_are_kept_with_their_labels();
@@ -172,6 +173,18 @@ void GeometryClassesTest::frozen_patches_are_frozen() {
     const GeometryClasses<2> classes2 = classify_geometry(square, {.frozen_patches = {3}});
     QCOMPARE(classes2.node[NodeId(1)], NodeClass::frozen);
     QCOMPARE(classes2.node[NodeId(13)], NodeClass::patch);
+}
+
+void GeometryClassesTest::all_patches_are_frozen_when_the_boundary_is_kept() {
+    const Mesh<3> mesh = shapes::cube(3);
+    const FeatureOptions keep{.frozen_patches = {5}, .boundary = BoundaryChoice::keep};
+    const GeometryClasses<3> classes = classify_geometry(mesh, keep);
+    QCOMPARE(classes.frozen_patches, (std::vector<int>{1, 2, 3, 4, 5, 6}));
+    const GeometryClasses<3> free = classify_geometry(mesh);
+    QVERIFY(free.frozen_patches.empty());
+    for (const NodeId v : mesh.points.ids()) {
+        QCOMPARE(classes.node[v] == NodeClass::frozen, free.node[v] != NodeClass::interior);
+    }
 }
 
 void GeometryClassesTest::required_and_listed_entities_are_frozen() {

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/surface/self_intersections.h"
+#include "core/surface/surface_repair.h"
 #include "tests/core/surface/surfaces.h"
 
 #include <QtTest>
@@ -201,6 +202,20 @@ void SurfaceReportTest::refuses_what_bounds_no_volume() {
         QVERIFY2(QString(error.what()).startsWith("a.stl: "), error.what());
         QVERIFY2(QString(error.what()).contains(words), error.what());
         QVERIFY2(!QString(error.what()).contains('\n'), error.what());
+    }
+    if (damage == "twice" || damage == "unmerged" || damage == "flat") {
+        // What follows from it is not told where it is mended with it.
+        QVERIFY(repair_helps(damaged(damage), report));
+        try {
+            require_sound_surface(report, "a.stl", true);
+            QFAIL("accepted");
+        } catch (const InputError& error) {
+            QVERIFY2(QString(error.what()).endsWith("--repair mends this without loss"),
+                     error.what());
+            QVERIFY2(!QString(error.what()).contains(words), error.what());
+        }
+    } else if (damage != "turned") {
+        QVERIFY(!repair_helps(damaged(damage), report));
     }
     if (damage == "klein") {
         QVERIFY(!report.parts[0].orientable);
