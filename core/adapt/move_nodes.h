@@ -8,11 +8,10 @@
 namespace ameco {
 
 struct MoveOptions {
-    double below = 0.9;  ///< nodes with an element of a quality below this are tried [-]
-    double gain = 1.002; ///< the harmonic mean of the qualities must grow by this factor [-]
-    int halvings = 3;    ///< of a step that is refused
-    double farthest =
-        1e300; ///< from the node's place when the UnitMesh was made, in the metric [-]
+    double below = 0.9;      ///< nodes with an element of a quality below this are tried [-]
+    double gain = 1.002;     ///< the harmonic mean of the qualities must grow by this factor [-]
+    int halvings = 3;        ///< of a step that is refused
+    double farthest = 1e300; ///< from a node's first place in the UnitMesh, in the metric [-]
 };
 
 /// Moves one node, as `move_nodes` does.

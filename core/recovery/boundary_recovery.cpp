@@ -61,7 +61,9 @@ void take(const std::string& bytes, std::size_t& at, std::vector<T>& values) {
         throw Error(ExitCode::internal, "TetGen's result is cut off");
     }
     values.resize(count);
-    std::memcpy(values.data(), bytes.data() + at, count * sizeof(T));
+    if (count > 0) {
+        std::memcpy(values.data(), bytes.data() + at, count * sizeof(T));
+    }
     at += count * sizeof(T);
 }
 

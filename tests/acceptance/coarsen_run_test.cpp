@@ -19,6 +19,7 @@ private slots:
     void copies_the_input_when_asked();
     void freezes_patches_by_name_and_by_id();
     void keeps_the_boundary_when_asked();
+    void moves_nodes_when_asked();
     void leaves_no_folder_behind_when_it_fails();
     void refuses_patches_that_do_not_exist();
     void leaves_a_folder_alone_that_is_in_use();
@@ -198,6 +199,31 @@ void CoarsenRunTest::keeps_the_boundary_when_asked() {
     QCOMPARE(contents("kept_later"), contents("kept"));
     const Run other = here_.ameco({"coarsen", "cube.meshb", "-o", "kept", "-n", "3", "--resume"});
     QVERIFY2(other.code == 2 && other.err.contains("other settings (boundary)"), other.text());
+}
+
+void CoarsenRunTest::moves_nodes_when_asked() {
+    QCOMPARE(here_.ameco({"case", "cube", "--n", "10", "-o", "for_moves.meshb"}).code, 0);
+    const auto run = [&](const QString& folder, const QStringList& more) {
+        return here_.ameco(
+            QStringList{"coarsen", "for_moves.meshb", "--transfer", "-o", folder, "--json"} + more);
+    };
+    const auto nested = run("nested_nodes", {"-n", "2"});
+    const auto moved = run("moved_nodes", {"-n", "2", "--nodes", "moved"});
+    QVERIFY2(moved.code == 0, moved.text());
+    const auto level_of = [](const Run& r) { return r.json().at("hierarchy").at("levels").at(1); };
+    QCOMPARE(level_of(moved).at("nodes"), level_of(nested).at("nodes"));
+    QVERIFY(level_of(moved).at("conformity").at("in_band").get<double>() >
+            level_of(nested).at("conformity").at("in_band").get<double>());
+    QVERIFY(level_of(moved).at("verdicts").at("moves").at("accepted").get<int>() > 0);
+    QVERIFY(here_.content("moved_nodes/parent_0.txt").contains("\n-1\n"));
+    QVERIFY(!here_.content("nested_nodes/parent_0.txt").contains("\n-1\n"));
+    QCOMPARE(here_.ameco({"multigrid", "moved_nodes"}).code, 0);
+    // Interrupted and continued, the levels are the same.
+    QCOMPARE(run("moved_later", {"-n", "1", "--nodes", "moved"}).code, 0);
+    QCOMPARE(run("moved_later", {"-n", "2", "--nodes", "moved", "--resume"}).code, 0);
+    QCOMPARE(contents("moved_later"), contents("moved_nodes"));
+    const Run other = run("moved_later", {"-n", "3", "--resume"});
+    QVERIFY2(other.code == 2 && other.err.contains("other settings (nodes)"), other.text());
 }
 
 void CoarsenRunTest::leaves_no_folder_behind_when_it_fails() {

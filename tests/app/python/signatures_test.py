@@ -93,7 +93,7 @@ class DefaultsTest(unittest.TestCase):
         )
 
     def test_are_those_that_the_help_tells(self):
-        self.assertEqual(self.compared("coarsen", ameco.hierarchy), 12)
+        self.assertEqual(self.compared("coarsen", ameco.hierarchy), 13)
         # Of no quality, and of no size, the help does not tell.
         self.assertEqual(self.compared("remesh", ameco.remesh, leave_out={"quality"}), 5)
         self.assertEqual(self.compared("fill", ameco.fill), 3)

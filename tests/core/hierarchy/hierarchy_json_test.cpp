@@ -77,6 +77,7 @@ Hierarchy example() {
     h.options.rebuild = true;
     h.options.coarsen.features.frozen_patches = {1, 4};
     h.options.coarsen.features.boundary = BoundaryChoice::keep;
+    h.options.coarsen.nodes = CoarseNodes::moved;
     h.input.file = {"../wing.meshb", 0x1234u};
     h.input.format = "Medit binary, version 2";
     h.input.repair = {1, 2, true, 3, 4};
@@ -103,6 +104,7 @@ void HierarchyJsonTest::is_the_same_after_writing_and_reading_it() {
     QVERIFY(read.options.until_isotropic);
     QVERIFY(read.options.rebuild);
     QCOMPARE(read.options.coarsen.features.boundary, BoundaryChoice::keep);
+    QVERIFY(read.options.coarsen.nodes == CoarseNodes::moved);
     QCOMPARE(read.levels[1].statistics.factor, 2.25);
     QCOMPARE(read.options.coarsen.target.algorithm, TargetAlgorithm::graded);
     QCOMPARE(read.options.coarsen.target.gradation, 1.25);

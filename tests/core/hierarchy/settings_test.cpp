@@ -28,6 +28,7 @@ void SettingsTest::each_setting_takes_its_own_value_back() {
     unusual.coarsen.removal.surface.relative_distance = 0.01;
     unusual.coarsen.features.ridge_angle_deg = 33;
     unusual.coarsen.features.boundary = BoundaryChoice::keep;
+    unusual.coarsen.nodes = CoarseNodes::moved;
     HierarchyOptions other;
     for (const Setting& s : settings()) {
         QVERIFY2(s.value(other) != s.value(unusual), s.name.data());

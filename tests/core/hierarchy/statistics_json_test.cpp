@@ -35,6 +35,7 @@ LevelStatistics example() {
     s.removal.add(Verdict::accepted);
     s.removal.add(Verdict::long_edge);
     s.swaps.add(Verdict::breaks_line);
+    s.moves.add(Verdict::no_improvement);
     s.warnings = {{Defect::orphan_node, 2, "node 7 \"odd\"\n"}};
     return s;
 }
@@ -74,6 +75,7 @@ private slots:
         QCOMPARE(read.conformity.above_two, 0.15);
         QCOMPARE(read.removal[Verdict::accepted], std::int64_t{2});
         QCOMPARE(read.swaps[Verdict::breaks_line], std::int64_t{1});
+        QCOMPARE(read.moves[Verdict::no_improvement], std::int64_t{1});
         QVERIFY(read.classes.counts == example().classes.counts);
         QCOMPARE(read.warnings.at(0).example, std::string("node 7 \"odd\"\n"));
         QVERIFY(to_json(read) == json); // and whatever was not named here

@@ -337,7 +337,8 @@ RandomDomain<D> try_domain(DomainKind kind, std::mt19937& random) {
     } else if (kind == DomainKind::slit) {
         cut_slit(mesh, random_slit<D>(lines, random));
     }
-    const int points = D == 2 ? 60 : 40;
+    // With few points the walls of a hole are one element thick.
+    const int points = static_cast<int>(random() % (D == 2 ? 90 : 60));
     for (int i = 0; i < points; ++i) {
         if (random() % 2 == 0) {
             insert_inside(mesh, random);
