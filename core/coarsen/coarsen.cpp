@@ -30,6 +30,7 @@ struct LevelData {
     IdVector<NodeId, Mat<D>> natural, target;
     IdVector<NodeId, float> short_size;
     IdVector<NodeId, float> directions; ///< in how many the target coarsens
+    std::vector<Partition> partitions;  ///< for threads
     SizeField<D> sizes;
     RootField<D> root;
 };
@@ -46,6 +47,19 @@ void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelDa
     }
 }
 
+/// Two partitions whose cuts are apart, so that the second has inside what lies at the borders of
+/// the first; none where the mesh is small.
+template <int D>
+std::vector<Partition> make_partitions(const Mesh<D>& mesh, const Lines& lines,
+                                       std::size_t nodes_per_part) {
+    const std::size_t parts = part_count(mesh.points.size(), nodes_per_part);
+    if (parts == 1) {
+        return {};
+    }
+    return {cut_in_parts<D>(mesh.points, lines, parts, 1.0 / 2),
+            cut_in_parts<D>(mesh.points, lines, parts, 1.0 / 3)};
+}
+
 /// Removal and swaps, in turns.
 template <int D>
 void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
@@ -54,9 +68,11 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     measure_size_quality(mesh, data.sizes);
     RemovedNodes<D> removed(
         data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
-    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes,      data.natural,
-                                data.target,      data.short_size, data.directions, removed};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
+    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
+                                data.natural,     data.target,    data.short_size,
+                                data.directions,  removed,        data.partitions};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size,
+                                  data.lines, removed,   data.partitions};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);
@@ -104,6 +120,7 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     data.couplings = make_couplings(fine.mesh);
     data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
     data.lines = find_lines(fine.mesh, data.couplings, data.front.key, options.lines);
+    data.partitions = make_partitions(fine.mesh, data.lines, options.nodes_per_part);
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
     EditMesh<D> mesh(fine.mesh, fine.geometry);
