@@ -7,6 +7,9 @@
 #include "core/coarsen/level_report.h"
 #include "core/remesh/front_order.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace ameco {
 namespace {
 
@@ -47,17 +50,22 @@ void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelDa
     }
 }
 
-/// Two partitions whose cuts are apart, so that the second has inside what lies at the borders of
-/// the first; none where the mesh is small.
+/// Partitions for threads: the second one, of fewer parts, for what lies at the borders of the
+/// first, the third for what lies at those of both. None where the mesh is small.
 template <int D>
-std::vector<Partition> make_partitions(const Mesh<D>& mesh, const Lines& lines,
-                                       std::size_t nodes_per_part) {
+std::vector<Partition> make_partitions(const Mesh<D>& mesh, const NodeNodes& neighbours,
+                                       const Lines& lines, std::size_t nodes_per_part) {
+    std::vector<Partition> partitions;
     const std::size_t parts = part_count(mesh.points.size(), nodes_per_part);
-    if (parts == 1) {
-        return {};
+    NodeMarks counts(mesh.points.size(), 1);
+    for (std::size_t n = 0; parts > 1 && n < 3; ++n) {
+        partitions.push_back(cut_in_parts<D>(mesh.points, neighbours, lines,
+                                             std::max<std::size_t>(parts >> n, 2), counts));
+        const NodeMarks border = border_nodes(neighbours, partitions.back());
+        std::transform(counts.begin(), counts.end(), border.begin(), counts.begin(),
+                       std::bit_and<std::uint8_t>());
     }
-    return {cut_in_parts<D>(mesh.points, lines, parts, 1.0 / 2),
-            cut_in_parts<D>(mesh.points, lines, parts, 1.0 / 3)};
+    return partitions;
 }
 
 /// Removal and swaps, in turns.
@@ -120,7 +128,8 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     data.couplings = make_couplings(fine.mesh);
     data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
     data.lines = find_lines(fine.mesh, data.couplings, data.front.key, options.lines);
-    data.partitions = make_partitions(fine.mesh, data.lines, options.nodes_per_part);
+    data.partitions =
+        make_partitions(fine.mesh, data.couplings.neighbours, data.lines, options.nodes_per_part);
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
     EditMesh<D> mesh(fine.mesh, fine.geometry);

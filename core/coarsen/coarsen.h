@@ -22,9 +22,9 @@ struct CoarsenOptions {
     LineOptions lines;
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     SwapOptions swaps;
-    int passes = 6;                    ///< removal passes, >= 1; swaps come after each
-    std::size_t nodes_per_part = 8192; ///< for threads, see `part_count`; smaller parts have more
-                                       ///< nodes at their borders, which wait for the others
+    int passes = 6;                     ///< removal passes, >= 1; swaps come after each
+    std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more
+                                        ///< nodes at their borders, which wait for the others
 };
 
 /// Wall-clock seconds of one level, by phase.

@@ -51,9 +51,14 @@ private:
     /// Whether all that a visit looks at is within the patch: neighbours now, and those of the fine
     /// mesh. The mesh keeps its ridges in one place: on a patch they stay.
     bool may_leave(NodeId v) const {
-        return patch_.is_whole() ||
-               (mesh_.node_class(v) != NodeClass::ridge &&
-                patch_.holds(in_.couplings.neighbours[v]) && patch_.holds_ball(mesh_, v));
+        if (patch_.is_whole()) {
+            return true;
+        }
+        const auto ball = mesh_.ball(v);
+        return mesh_.node_class(v) != NodeClass::ridge &&
+               patch_.holds(in_.couplings.neighbours[v]) &&
+               std::all_of(ball.begin(), ball.end(),
+                           [&](ElementId e) { return patch_.holds(mesh_, e); });
     }
 
     /// In later passes parity is settled; what the first pass could not take may go now.

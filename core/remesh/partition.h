@@ -3,6 +3,7 @@
 /// The nodes of a mesh in parts, on which threads work side by side.
 #pragma once
 
+#include "core/mesh/adjacency.h"
 #include "core/remesh/edit_mesh.h"
 #include "core/remesh/lines.h"
 
@@ -23,14 +24,20 @@ struct Partition {
 /// the number of threads, so that the result does not either. Small meshes stay whole.
 [[nodiscard]] std::size_t part_count(std::size_t nodes, std::size_t nodes_per_part);
 
-/// Cuts a mesh by planes, each time at a share of the nodes along the axis on which they are spread
-/// most. Lines lie where their first node lies. Coordinates, unlike growth from seeds, cut no layer
-/// lengthwise, however flat the elements are.
-/// \param parts  a power of two, at most 1024
-/// \param share  of the nodes on the lower side of each cut: 1/2 makes equal parts
+using NodeMarks = IdVector<NodeId, std::uint8_t>; ///< 1 or 0
+
+/// Cuts a mesh by planes, each time in two halves, across the axis where that cuts the fewest
+/// edges. Lines lie where their first node lies. Coordinates, unlike growth from seeds, cut no
+/// layer lengthwise, however flat the elements are.
+/// \param parts   a power of two, at most 1024
+/// \param counts  the nodes that halves have equally many of, and whose edges are counted
 template <int D>
-[[nodiscard]] Partition cut_in_parts(const IdVector<NodeId, Vec<D>>& points, const Lines& lines,
-                                     std::size_t parts, double share = 0.5);
+[[nodiscard]] Partition cut_in_parts(const IdVector<NodeId, Vec<D>>& points,
+                                     const NodeNodes& neighbours, const Lines& lines,
+                                     std::size_t parts, const NodeMarks& counts);
+
+/// Nodes at the borders of the parts, and their neighbours.
+[[nodiscard]] NodeMarks border_nodes(const NodeNodes& neighbours, const Partition& partition);
 
 /// What one thread may change of a mesh: nodes of one part with all their neighbours in it. What
 /// touches other parts is the interface: nobody changes it while the parts are worked on, so that
@@ -48,14 +55,11 @@ public:
     [[nodiscard]] bool holds(std::span<const NodeId> nodes) const {
         return std::all_of(nodes.begin(), nodes.end(), [&](NodeId v) { return holds(v); });
     }
-    /// Whether all nodes of all elements at `v` belong to the patch.
+    /// Whether all nodes of an element belong to the patch.
     template <int D>
-    [[nodiscard]] bool holds_ball(const EditMesh<D>& mesh, NodeId v) const {
-        const auto ball = mesh.ball(v);
-        return is_whole() || std::all_of(ball.begin(), ball.end(), [&](ElementId e) {
-                   const std::span<const NodeId> nodes = mesh.nodes(e);
-                   return holds(mesh.is_ghost(e) ? nodes.first(D) : nodes);
-               });
+    [[nodiscard]] bool holds(const EditMesh<D>& mesh, ElementId e) const {
+        const std::span<const NodeId> nodes = mesh.nodes(e);
+        return holds(mesh.is_ghost(e) ? nodes.first(D) : nodes);
     }
 
 private:

@@ -134,14 +134,27 @@ public:
     }
 
 private:
-    /// Whether all that the search looks at is within the patch, and there is room for what a swap
-    /// adds: fewer elements than its shell has.
+    /// Whether all that the search looks at is within the patch, which is all elements that share
+    /// an edge with this one, and there is room for what a swap adds: fewer elements than its shell
+    /// has.
     bool may_mend(ElementId e) const {
+        if (patch_.is_whole()) {
+            return true;
+        }
         const Simplex<D>& s = mesh_.nodes(e);
-        return patch_.is_whole() || (mesh_.free_slots(patch_.lane()) >= options_.largest_shell &&
-                                     std::all_of(s.begin(), s.end(), [&](NodeId v) {
-                                         return patch_.holds_ball(mesh_, v);
-                                     }));
+        const auto shares_an_edge = [&](ElementId f) {
+            const Simplex<D>& other = mesh_.nodes(f);
+            return std::count_if(s.begin(), s.end(), [&](NodeId v) {
+                       return std::find(other.begin(), other.end(), v) != other.end();
+                   }) >= 2;
+        };
+        return mesh_.free_slots(patch_.lane()) >= options_.largest_shell &&
+               std::all_of(s.begin(), s.end(), [&](NodeId v) {
+                   const auto ball = mesh_.ball(v);
+                   return std::all_of(ball.begin(), ball.end(), [&](ElementId f) {
+                       return patch_.holds(mesh_, f) || !shares_an_edge(f);
+                   });
+               });
     }
 
     EditMesh<D>& mesh_;
@@ -166,6 +179,9 @@ struct SwapRound {
         input.removed.open_lanes(lanes, mesh.slot_count());
     }
     [[nodiscard]] int part_of(const Partition& partition, ElementId e) const {
+        if (mesh.is_free(e) || mesh.is_ghost(e)) {
+            return -1; // changed since it was listed
+        }
         const Simplex<D>& s = mesh.nodes(e);
         const int part = partition.part[s[0]];
         const bool same =
