@@ -109,7 +109,9 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
 }
 
 /// Measures and checks a level that is made, nested so far, after moving its nodes if that is
-/// wanted. \param target  at the nodes of `fine`, which the parents are nodes of
+/// wanted.
+///
+/// \param target  at the nodes of `fine`, which the parents are nodes of
 template <int D>
 void finish_level(const Mesh<D>& fine, const MetricField<D>& target, const CoarsenOptions& options,
                   Level<D>& coarse, CoarsenReport& report, Monitor& monitor) {
