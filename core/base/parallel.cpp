@@ -51,7 +51,17 @@ void parallel_for(std::size_t n, std::size_t grain,
         }
         return;
     }
-    tbb::parallel_for(std::size_t{0}, pieces, run);
+    // TBB orders the pieces after what came before, and before what comes after them. The two say
+    // so once more, for ThreadSanitizer, which cannot see into TBB; they do not order pieces.
+    std::atomic<bool> begun{false};
+    std::atomic<std::size_t> done{0};
+    begun.store(true, std::memory_order_release);
+    tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t piece) {
+        (void)begun.load(std::memory_order_acquire);
+        run(piece);
+        done.fetch_add(1, std::memory_order_release);
+    });
+    (void)done.load(std::memory_order_acquire);
 }
 
 } // namespace ameco
