@@ -360,7 +360,7 @@ void CoarsenTest::a_request_to_stop_is_answered_with_cancelled() {
     const Level<3> fine = finest_level(make_layer<3>({}), {});
     ImpatientMonitor monitor(patience);
     CoarsenReport report;
-    QVERIFY_EXCEPTION_THROWN((void)coarsen(fine, {}, report, monitor), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, {}, report, monitor));
 }
 
 void CoarsenTest::the_boundary_stays_within_its_tolerance() {
