@@ -8,6 +8,9 @@
 #include "core/coarsen/level_report.h"
 #include "core/remesh/front_order.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace ameco {
 namespace {
 
@@ -31,6 +34,7 @@ struct LevelData {
     IdVector<NodeId, Mat<D>> natural, target;
     IdVector<NodeId, float> short_size;
     IdVector<NodeId, float> directions; ///< in how many the target coarsens
+    std::vector<Partition> partitions;  ///< for threads
     SizeField<D> sizes;
     RootField<D> root;
 };
@@ -47,6 +51,24 @@ void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelDa
     }
 }
 
+/// Partitions for threads: the second one, of fewer parts, for what lies at the borders of the
+/// first, the third for what lies at those of both. None where the mesh is small.
+template <int D>
+std::vector<Partition> make_partitions(const Mesh<D>& mesh, const NodeNodes& neighbours,
+                                       const Lines& lines, std::size_t nodes_per_part) {
+    std::vector<Partition> partitions;
+    const std::size_t parts = part_count(mesh.points.size(), nodes_per_part);
+    NodeMarks counts(mesh.points.size(), 1);
+    for (std::size_t n = 0; parts > 1 && n < 3; ++n) {
+        partitions.push_back(cut_in_parts<D>(mesh.points, neighbours, lines,
+                                             std::max<std::size_t>(parts >> n, 2), counts));
+        const NodeMarks border = border_nodes(neighbours, partitions.back());
+        std::transform(counts.begin(), counts.end(), border.begin(), counts.begin(),
+                       std::bit_and<std::uint8_t>());
+    }
+    return partitions;
+}
+
 /// Removal and swaps, in turns.
 template <int D>
 void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
@@ -55,9 +77,11 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     measure_size_quality(mesh, data.sizes);
     RemovedNodes<D> removed(
         data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
-    const RemovalInput<D> input{data.front.order, data.couplings,  data.sizes,      data.natural,
-                                data.target,      data.short_size, data.directions, removed};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines, removed};
+    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
+                                data.natural,     data.target,    data.short_size,
+                                data.directions,  removed,        data.partitions};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size,
+                                  data.lines, removed,   data.partitions};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);
@@ -85,7 +109,9 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
 }
 
 /// Measures and checks a level that is made, nested so far, after moving its nodes if that is
-/// wanted. \param target  at the nodes of `fine`, which the parents are nodes of
+/// wanted.
+///
+/// \param target  at the nodes of `fine`, which the parents are nodes of
 template <int D>
 void finish_level(const Mesh<D>& fine, const MetricField<D>& target, const CoarsenOptions& options,
                   Level<D>& coarse, CoarsenReport& report, Monitor& monitor) {
@@ -131,6 +157,8 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     data.couplings = make_couplings(fine.mesh);
     data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
     data.lines = find_lines(fine.mesh, data.couplings, data.front.key, options.lines);
+    data.partitions =
+        make_partitions(fine.mesh, data.couplings.neighbours, data.lines, options.nodes_per_part);
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
     EditMesh<D> mesh(fine.mesh, fine.geometry);

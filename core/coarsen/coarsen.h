@@ -45,7 +45,9 @@ struct CoarsenOptions {
     SwapOptions swaps;
     int passes = 6; ///< removal passes, >= 1; swaps come after each
     CoarseNodes nodes = CoarseNodes::nested;
-    FitOptions fit; ///< for moved nodes
+    FitOptions fit;                     ///< for moved nodes
+    std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more
+                                        ///< nodes at their borders, which wait for the others
 };
 
 /// Wall-clock seconds of one level, by phase.

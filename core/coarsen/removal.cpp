@@ -2,6 +2,7 @@
 #include "core/coarsen/removal.h"
 
 #include "core/metric/edge_length.h"
+#include "core/remesh/patch_work.h"
 
 #include <algorithm>
 
@@ -12,34 +13,52 @@ template <int D>
 class Remover {
 public:
     Remover(EditMesh<D>& mesh, Lines& lines, RemovalState& state, const RemovalInput<D>& input,
-            const RemovalOptions& options, VerdictCounts& verdicts)
-        : mesh_(mesh), lines_(lines), state_(state), in_(input), options_(options),
+            const RemovalOptions& options, const Patch& patch, VerdictCounts& verdicts)
+        : mesh_(mesh), lines_(lines), state_(state), in_(input), options_(options), patch_(patch),
           verdicts_(verdicts) {}
 
-    void first_visit(NodeId v) {
-        const bool gone = mesh_.node_class(v) != NodeClass::frozen &&
-                          (lines_.on_line(v) ? thin_line(v) : remove_off_line(v, true));
+    /// Of a line the odd nodes go, wall side first.
+    /// \return  false where the node is not within the patch
+    bool first_visit(NodeId v) {
+        const bool stays = mesh_.node_class(v) == NodeClass::frozen ||
+                           (lines_.on_line(v) && lines_.position[v] % 2 == 0);
+        if (!stays && !may_leave(v)) {
+            return false;
+        }
+        const bool gone =
+            !stays && (lines_.on_line(v) ? leave_along_line(v) : remove_off_line(v, true));
         state_.kept[v] = gone ? 0 : 1;
+        return true;
     }
 
-    void visit_again(NodeId v) {
+    /// \return  false where the node is not within the patch
+    bool visit_again(NodeId v) {
         if (mesh_.is_removed(v) || mesh_.node_class(v) == NodeClass::frozen) {
-            return;
+            return true;
+        }
+        if (!may_leave(v)) {
+            return false;
         }
         if (lines_.on_line(v)) {
             thin_line_again(v);
         } else {
             remove_off_line(v, false);
         }
+        return true;
     }
 
 private:
-    /// Odd nodes of a line go, wall side first.
-    bool thin_line(NodeId v) {
-        if (lines_.position[v] % 2 == 0) {
-            return false;
+    /// Whether all that a visit looks at is within the patch: neighbours now, and those of the fine
+    /// mesh. The mesh keeps its ridges in one place: on a patch they stay.
+    bool may_leave(NodeId v) const {
+        if (patch_.is_whole()) {
+            return true;
         }
-        return leave_along_line(v);
+        const auto ball = mesh_.ball(v);
+        return mesh_.node_class(v) != NodeClass::ridge &&
+               patch_.holds(in_.couplings.neighbours[v]) &&
+               std::all_of(ball.begin(), ball.end(),
+                           [&](ElementId e) { return patch_.holds(mesh_, e); });
     }
 
     /// In later passes parity is settled; what the first pass could not take may go now.
@@ -120,7 +139,7 @@ private:
         }
         std::swap(star_, best_star_);
         // Other candidates may have been looked at since the best one.
-        (void)in_.removed.interpolated_well(mesh_, ball_, star_, v);
+        (void)in_.removed.interpolated_well(mesh_, ball_, star_, v, patch_.lane());
         commit(v, best);
         return true;
     }
@@ -136,13 +155,15 @@ private:
         if (star.worst_quality <= better_than) {
             return Verdict::no_improvement;
         }
-        return in_.removed.interpolated_well(mesh_, ball_, star, v) ? Verdict::accepted
-                                                                    : Verdict::weak_coupling;
+        return in_.removed.interpolated_well(mesh_, ball_, star, v, patch_.lane())
+                   ? Verdict::accepted
+                   : Verdict::weak_coupling;
     }
 
     void commit(NodeId v, NodeId w) {
-        const auto slots = apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_);
-        in_.removed.move(ball_.elements, slots);
+        const auto slots =
+            apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_, patch_.lane());
+        in_.removed.move(ball_.elements, slots, patch_.lane());
         verdicts_.add(Verdict::accepted);
         const auto neighbours = in_.couplings.neighbours[v];
         const auto values = in_.couplings.at(v);
@@ -212,26 +233,37 @@ private:
     RemovalState& state_;
     const RemovalInput<D>& in_;
     const RemovalOptions& options_;
+    const Patch patch_;
     VerdictCounts& verdicts_;
     Cavity<D> ball_;
     Star<D> star_, best_star_;
     std::vector<NodeId> neighbours_, candidates_;
 };
 
-/// Calls `visit` for all nodes in order, with progress; stops when asked to.
-template <class Visit>
-void visit_all(const std::vector<NodeId>& order, Monitor& monitor, const Visit& visit) {
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if ((i & 0xFFF) == 0) {
-            monitor.progress(static_cast<double>(i) / static_cast<double>(order.size()),
-                             "removing nodes");
-            if (monitor.stop_requested()) {
-                return;
-            }
-        }
-        visit(order[i]);
+/// A pass, for `work_in_patches`.
+template <int D>
+struct RemovalPass {
+    EditMesh<D>& mesh;
+    Lines& lines;
+    RemovalState& state;
+    const RemovalInput<D>& input;
+    const RemovalOptions& options;
+    bool first;
+
+    void open(std::size_t lanes) {
+        mesh.open_lanes(lanes);
+        input.removed.open_lanes(lanes, mesh.slot_count());
     }
-}
+    [[nodiscard]] static int part_of(const Partition& partition, NodeId v) {
+        return partition.part[v];
+    }
+    [[nodiscard]] auto worker(const Patch& patch, VerdictCounts& counts) {
+        return [this, remover = Remover<D>(mesh, lines, state, input, options, patch, counts)](
+                   NodeId v) mutable {
+            return first ? remover.first_visit(v) : remover.visit_again(v);
+        };
+    }
+};
 
 } // namespace
 
@@ -239,16 +271,16 @@ template <int D>
 void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                        const RemovalInput<D>& input, const RemovalOptions& options,
                        VerdictCounts& verdicts, Monitor& monitor) {
-    Remover<D> remover(mesh, lines, state, input, options, verdicts);
-    visit_all(input.order, monitor, [&](NodeId v) { remover.first_visit(v); });
+    RemovalPass<D> pass{mesh, lines, state, input, options, true};
+    work_in_patches(input.order, input.partitions, pass, verdicts, "removing nodes", monitor);
 }
 
 template <int D>
 void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                   const RemovalInput<D>& input, const RemovalOptions& options,
                   VerdictCounts& verdicts, Monitor& monitor) {
-    Remover<D> remover(mesh, lines, state, input, options, verdicts);
-    visit_all(input.order, monitor, [&](NodeId v) { remover.visit_again(v); });
+    RemovalPass<D> pass{mesh, lines, state, input, options, false};
+    work_in_patches(input.order, input.partitions, pass, verdicts, "removing nodes", monitor);
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

@@ -8,6 +8,7 @@
 #include "core/remesh/collapse.h"
 #include "core/remesh/couplings.h"
 #include "core/remesh/lines.h"
+#include "core/remesh/partition.h"
 #include "core/remesh/removed_nodes.h"
 
 namespace ameco {
@@ -40,6 +41,7 @@ struct RemovalInput {
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const IdVector<NodeId, float>& directions; ///< `coarsened_directions`
     RemovedNodes<D>& removed;                  ///< kept up to date
+    std::span<const Partition> partitions{};   ///< for threads; none: the whole mesh in order
 };
 
 /// Which nodes are gone, and how much of each node's stencil went with them.
@@ -52,6 +54,9 @@ struct RemovalState {
 /// First pass: nodes in front order. On a line every odd node goes, onto a neighbour on the line.
 /// Off the lines a node goes onto a kept neighbour that is too close in the target metric; among
 /// several the one that leaves the best elements. All removed nodes must stay well interpolated.
+///
+/// Both passes work on the parts of each partition side by side; nodes at their borders and on
+/// ridges come after, see `work_in_patches`.
 template <int D>
 void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                        const RemovalInput<D>& input, const RemovalOptions& options,

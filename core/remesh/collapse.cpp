@@ -60,11 +60,12 @@ Verdict judge_collapsed_boundary(const EditMesh<D>& mesh, const SurfaceRules& su
 
 template <int D>
 std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
-                                          const Cavity<D>& ball, const Star<D>& star) {
+                                          const Cavity<D>& ball, const Star<D>& star,
+                                          std::size_t lane) {
     if (mesh.node_class(collapse.removed) == NodeClass::ridge) {
         mesh.merge_ridges(collapse.removed, collapse.kept);
     }
-    return mesh.replace(ball.elements, star.elements, star.sources);
+    return mesh.replace(ball.elements, star.elements, star.sources, lane);
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
@@ -75,7 +76,7 @@ std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
     template Verdict judge_collapsed_boundary(const EditMesh<D>&, const SurfaceRules&, double,     \
                                               Collapse, const Cavity<D>&, Star<D>&);               \
     template std::span<const ElementId> apply_collapse(EditMesh<D>&, Collapse, const Cavity<D>&,   \
-                                                       const Star<D>&);
+                                                       const Star<D>&, std::size_t);
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

@@ -42,9 +42,11 @@ template <int D>
                                                const Cavity<D>& ball, Star<D>& star);
 
 /// Carries out a collapse that was accepted.
+/// \param lane  of the mesh, see EditMesh::open_lanes; while several are open no ridge node may go
 /// \return  slots of the star's elements, until the next edit
 template <int D>
 std::span<const ElementId> apply_collapse(EditMesh<D>& mesh, Collapse collapse,
-                                          const Cavity<D>& ball, const Star<D>& star);
+                                          const Cavity<D>& ball, const Star<D>& star,
+                                          std::size_t lane = 0);
 
 } // namespace ameco

@@ -19,6 +19,7 @@ EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
     : points_(mesh.points), labels_(mesh.labels), class_(classes.node),
       on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names),
       frozen_patches_(classes.frozen_patches), features_(mesh.features) {
+    open_lanes(1);
     elements_.reserve(mesh.elements.size() + mesh.faces.size());
     for (const ElementId e : mesh.elements.ids()) {
         elements_.push_back({mesh.elements[e], mesh.region[e], 0});
@@ -60,8 +61,8 @@ EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
         });
         if (sides != 1) {
             interior_.emplace_back(face, mesh.patch[f]);
-            put(e, EditElement<D>{});
-            free_.push_back(e);
+            put(e, EditElement<D>{}, lanes_.front());
+            lanes_.front().free.push_back(e);
             continue;
         }
         for (const NodeId v : face) {
@@ -84,14 +85,18 @@ void EditMesh<D>::fill_balls() {
     for (Ball& b : ball_) {
         // Room for the elements that a first collapse onto the node brings.
         b.capacity += b.capacity / 4 + 2;
-        b.start = total;
         total += b.capacity;
     }
     pool_.resize(static_cast<std::size_t>(total));
+    ElementId* start = pool_.data();
+    for (Ball& b : ball_) {
+        b.start = start;
+        start += b.capacity;
+    }
     for (const ElementId e : elements_.ids()) {
         for (const NodeId v : elements_[e].nodes) {
             if (v != ghost_) {
-                add_to_ball(v, e);
+                add_to_ball(v, e, lanes_.front());
             }
         }
     }
@@ -112,31 +117,31 @@ void EditMesh<D>::neighbours(NodeId v, std::vector<NodeId>& out) const {
 }
 
 template <int D>
-void EditMesh<D>::add_to_ball(NodeId v, ElementId e) {
+void EditMesh<D>::add_to_ball(NodeId v, ElementId e, Lane& lane) {
     Ball& b = ball_[v];
     if (b.size == b.capacity) {
-        const auto start = static_cast<std::int64_t>(pool_.size());
         b.capacity += b.capacity / 2 + 4;
-        pool_.resize(pool_.size() + static_cast<std::size_t>(b.capacity));
-        std::copy_n(pool_.begin() + b.start, b.size, pool_.begin() + start);
+        std::pmr::polymorphic_allocator<ElementId> memory(lane.memory.get());
+        ElementId* start = memory.allocate(static_cast<std::size_t>(b.capacity));
+        std::uninitialized_copy_n(b.start, b.size, start);
         b.start = start;
     }
-    pool_[static_cast<std::size_t>(b.start + b.size)] = e;
+    b.start[b.size] = e;
     ++b.size;
 }
 
 template <int D>
 void EditMesh<D>::remove_from_ball(NodeId v, ElementId e) {
     Ball& b = ball_[v];
-    const auto begin = pool_.begin() + b.start;
-    const auto it = std::find(begin, begin + b.size, e);
-    assert(it != begin + b.size);
+    ElementId* const end = b.start + b.size;
+    ElementId* const it = std::find(b.start, end, e);
+    assert(it != end);
     --b.size;
-    *it = *(begin + b.size);
+    *it = *(end - 1);
 }
 
 template <int D>
-void EditMesh<D>::put(ElementId slot, const EditElement<D>& fresh) {
+void EditMesh<D>::put(ElementId slot, const EditElement<D>& fresh, Lane& lane) {
     const Simplex<D> before = elements_[slot].nodes;
     elements_[slot] = fresh;
     for (const NodeId v : before) {
@@ -146,35 +151,56 @@ void EditMesh<D>::put(ElementId slot, const EditElement<D>& fresh) {
     }
     for (const NodeId v : fresh.nodes) {
         if (v.valid() && v != ghost_ && !has_node<D>(before, v)) {
-            add_to_ball(v, slot);
+            add_to_ball(v, slot, lane);
         }
     }
 }
 
 template <int D>
-ElementId EditMesh<D>::free_slot() {
-    if (!free_.empty()) {
-        const ElementId e = free_.back();
-        free_.pop_back();
+void EditMesh<D>::open_lanes(std::size_t count) {
+    std::vector<ElementId> free;
+    for (Lane& lane : lanes_) {
+        free.insert(free.end(), lane.free.begin(), lane.free.end());
+        lane.free.clear();
+    }
+    while (lanes_.size() < count) {
+        lanes_.emplace_back().memory = std::make_unique<std::pmr::monotonic_buffer_resource>();
+    }
+    open_lanes_ = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        lanes_[i].free.assign(free.begin() + static_cast<std::ptrdiff_t>(free.size() * i / count),
+                              free.begin() +
+                                  static_cast<std::ptrdiff_t>(free.size() * (i + 1) / count));
+    }
+}
+
+template <int D>
+ElementId EditMesh<D>::free_slot(Lane& lane) {
+    if (!lane.free.empty()) {
+        const ElementId e = lane.free.back();
+        lane.free.pop_back();
         return e;
     }
+    assert(open_lanes_ == 1);
     elements_.push_back({});
     return ElementId(elements_.size() - 1);
 }
 
 template <int D>
-std::span<const ElementId> EditMesh<D>::replace(std::span<const ElementId> old,
-                                                std::span<const EditElement<D>> fresh,
-                                                std::span<const ElementId> sources) {
+std::span<const ElementId>
+EditMesh<D>::replace(std::span<const ElementId> old, std::span<const EditElement<D>> fresh,
+                     std::span<const ElementId> sources, std::size_t lane_index) {
     // Elements that stay in their slot first, then the rest into what is left over.
+    Lane& lane = lanes_[lane_index];
     std::size_t next = 0;
-    std::vector<ElementId>& left_over = left_over_;
+    std::vector<ElementId>& left_over = lane.left_over;
+    std::vector<ElementId>& slots = lane.slots;
     left_over.clear();
-    slots_.resize(fresh.size());
+    slots.resize(fresh.size());
     for (const ElementId slot : old) {
         if (next < fresh.size() && sources[next] == slot) {
-            put(slot, fresh[next]);
-            slots_[next] = slot;
+            put(slot, fresh[next], lane);
+            slots[next] = slot;
             while (next < fresh.size() && sources[next] == slot) {
                 ++next;
             }
@@ -186,15 +212,15 @@ std::span<const ElementId> EditMesh<D>::replace(std::span<const ElementId> old,
     std::size_t used = 0;
     for (std::size_t i = 1; i < fresh.size(); ++i) {
         if (sources[i] == sources[i - 1]) {
-            slots_[i] = used < left_over.size() ? left_over[used++] : free_slot();
-            put(slots_[i], fresh[i]);
+            slots[i] = used < left_over.size() ? left_over[used++] : free_slot(lane);
+            put(slots[i], fresh[i], lane);
         }
     }
     for (; used < left_over.size(); ++used) {
-        put(left_over[used], EditElement<D>{});
-        free_.push_back(left_over[used]);
+        put(left_over[used], EditElement<D>{}, lane);
+        lane.free.push_back(left_over[used]);
     }
-    return slots_;
+    return slots;
 }
 
 template <int D>

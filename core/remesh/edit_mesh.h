@@ -8,6 +8,8 @@
 #include "core/remesh/geometry_classes.h"
 
 #include <limits>
+#include <memory>
+#include <memory_resource>
 #include <span>
 #include <unordered_map>
 
@@ -50,7 +52,7 @@ public:
 
     /// Elements at a node, ghost elements among them; empty for a removed node.
     [[nodiscard]] std::span<const ElementId> ball(NodeId v) const {
-        return {pool_.data() + ball_[v].start, static_cast<std::size_t>(ball_[v].size)};
+        return {ball_[v].start, static_cast<std::size_t>(ball_[v].size)};
     }
     [[nodiscard]] bool is_removed(NodeId v) const { return ball_[v].size == 0; }
     /// The nodes that share an edge with a node, ascending; the ghost is not among them.
@@ -79,13 +81,24 @@ public:
         return !interior_.empty() || !features_.required_elements.empty();
     }
 
+    /// Deals the free slots to so many lanes. As many threads may then call `replace` at a time,
+    /// each with an own lane, where all nodes of its elements, old and fresh, are no other thread's
+    /// business. They may read all that has such nodes.
+    void open_lanes(std::size_t count);
+    /// Free slots of a lane. While several are open none gets more than it has, so that a lane
+    /// needs as many as an edit adds elements.
+    [[nodiscard]] std::size_t free_slots(std::size_t lane) const {
+        return lanes_[lane].free.size();
+    }
+
     /// Puts `fresh` in the place of `old`. Slots of `old` are used again: that of `sources[i]` (an
     /// element of `old`; equal ones stand beside each other, in the order of `old`) for `fresh[i]`
     /// where it is not yet taken.
-    /// \return  the slots of `fresh`, until the next call
+    /// \param lane  see `open_lanes`
+    /// \return  the slots of `fresh`, until the next call with the same lane
     std::span<const ElementId> replace(std::span<const ElementId> old,
                                        std::span<const EditElement<D>> fresh,
-                                       std::span<const ElementId> sources);
+                                       std::span<const ElementId> sources, std::size_t lane = 0);
 
     /// Moves the ridge edges at `removed` to `kept`, after a collapse along a ridge.
     void merge_ridges(NodeId removed, NodeId kept);
@@ -110,9 +123,15 @@ public:
 
 private:
     struct Ball {
-        std::int64_t start = 0;
+        ElementId* start = nullptr; ///< in `pool_`, or in the memory of a lane
         std::int32_t size = 0;
         std::int32_t capacity = 0;
+    };
+    /// What one thread needs for its edits; apart from others in memory.
+    struct alignas(64) Lane {
+        std::vector<ElementId> free;                                 ///< slots
+        std::vector<ElementId> left_over, slots;                     ///< scratch of `replace`
+        std::unique_ptr<std::pmr::monotonic_buffer_resource> memory; ///< of balls that grew
     };
     struct EdgeHash {
         std::size_t operator()(const Edge& e) const {
@@ -121,10 +140,10 @@ private:
     };
 
     void fill_balls();
-    void add_to_ball(NodeId v, ElementId e);
+    void add_to_ball(NodeId v, ElementId e, Lane& lane);
     void remove_from_ball(NodeId v, ElementId e);
-    void put(ElementId slot, const EditElement<D>& fresh);
-    [[nodiscard]] ElementId free_slot();
+    void put(ElementId slot, const EditElement<D>& fresh, Lane& lane);
+    [[nodiscard]] ElementId free_slot(Lane& lane);
     [[nodiscard]] Features compact_features(const IdVector<NodeId, NodeId>& new_id,
                                             const GeometryClasses<D>& classes,
                                             const Mesh<D>& mesh) const;
@@ -133,7 +152,8 @@ private:
     IdVector<NodeId, Vec<D>> points_;
     IdVector<NodeId, int> labels_;
     IdVector<ElementId, EditElement<D>> elements_;
-    std::vector<ElementId> free_;
+    std::vector<Lane> lanes_;
+    std::size_t open_lanes_ = 0; ///< the first ones
     IdVector<NodeId, Ball> ball_;
     std::vector<ElementId> pool_;
 
@@ -146,8 +166,7 @@ private:
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;
     std::vector<int> frozen_patches_;
-    Features features_;                        ///< of the mesh this was made from
-    std::vector<ElementId> left_over_, slots_; ///< scratch of `replace`
+    Features features_; ///< of the mesh this was made from
 };
 
 /// Ghost element of a boundary face whose normal points outwards.

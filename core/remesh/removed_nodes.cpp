@@ -83,11 +83,12 @@ RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float
 
 template <int D>
 bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>& cavity,
-                                        const Star<D>& star, NodeId leaving) {
-    places_.clear();
+                                        const Star<D>& star, NodeId leaving, std::size_t lane) {
+    std::vector<Place>& places = places_[lane].of;
+    places.clear();
     const auto add = [&](NodeId v) {
-        places_.push_back(locate(mesh, star, v));
-        return places_.back().constant <= std::max(bounds_[v], v == leaving ? 0 : constant_[v]);
+        places.push_back(locate(mesh, star, v));
+        return places.back().constant <= std::max(bounds_[v], v == leaving ? 0 : constant_[v]);
     };
     if (leaving.valid() && !mesh.on_boundary(leaving) && !add(leaving)) {
         return false;
@@ -106,13 +107,20 @@ bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>
 }
 
 template <int D>
-void RemovedNodes<D>::move(std::span<const ElementId> old, std::span<const ElementId> slots) {
+void RemovedNodes<D>::open_lanes(std::size_t count, std::size_t slots) {
+    places_.resize(std::max(places_.size(), count));
+    first_.resize(std::max(first_.size(), slots));
+}
+
+template <int D>
+void RemovedNodes<D>::move(std::span<const ElementId> old, std::span<const ElementId> slots,
+                           std::size_t lane) {
     for (const ElementId e : old) {
         if (e.index() < first_.size()) {
             first_[e] = NodeId();
         }
     }
-    for (const Place& place : places_) {
+    for (const Place& place : places_[lane].of) {
         const ElementId e = slots[place.element];
         if (e.index() >= first_.size()) {
             first_.resize(std::max(e.index() + 1, first_.size() * 3 / 2));

@@ -69,13 +69,19 @@ public:
 
     /// Whether filling the cavity with the star leaves the removed nodes in it, and `leaving`
     /// (where valid) with them, in elements that interpolate them well enough: K at most the bound,
-    /// or not above what it was. Remembers where they go, for `move`.
+    /// or not above what it was. Remembers where they go, for `move` with the same lane.
     [[nodiscard]] bool interpolated_well(const EditMesh<D>& mesh, const Cavity<D>& cavity,
-                                         const Star<D>& star, NodeId leaving = {});
+                                         const Star<D>& star, NodeId leaving = {},
+                                         std::size_t lane = 0);
 
     /// Moves the nodes as found by the last `interpolated_well`. To be called when the edit has
     /// been made; `slots` are those of the star's elements, `old` those of the cavity.
-    void move(std::span<const ElementId> old, std::span<const ElementId> slots);
+    void move(std::span<const ElementId> old, std::span<const ElementId> slots,
+              std::size_t lane = 0);
+
+    /// Lets as many threads work at a time, on the same terms as EditMesh::open_lanes.
+    /// \param slots  of the mesh; no more while several lanes are open
+    void open_lanes(std::size_t count, std::size_t slots);
 
     /// Interpolation constant of a removed node inside the domain, where it is now; 0 of others.
     [[nodiscard]] double constant(NodeId v) const { return static_cast<double>(constant_[v]); }
@@ -86,6 +92,10 @@ private:
         std::size_t element; ///< of the star
         float constant;
     };
+    /// Where the nodes of a cavity go; apart from those of other lanes in memory.
+    struct alignas(64) Places {
+        std::vector<Place> of;
+    };
     [[nodiscard]] Place locate(const EditMesh<D>& mesh, const Star<D>& star, NodeId v) const;
 
     const Couplings& couplings_;
@@ -93,7 +103,7 @@ private:
     IdVector<ElementId, NodeId> first_; ///< [slots] first removed node in an element
     IdVector<NodeId, NodeId> next_;     ///< the next one in the same element
     IdVector<NodeId, float> constant_;  ///< K, where the node is now
-    std::vector<Place> places_;
+    std::vector<Places> places_{1};     ///< [lanes]
 };
 
 } // namespace ameco

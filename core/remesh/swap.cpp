@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/swap.h"
 
+#include "core/base/parallel.h"
+#include "core/remesh/patch_work.h"
+
 #include <algorithm>
+#include <atomic>
 
 namespace ameco {
 namespace {
 
-/// The rules of swaps while a mesh is coarsened, with what they remember of each element.
+/// What is known of each element, by slot.
+struct ElementNotes {
+    std::vector<std::uint8_t> tried; ///< no swap was found, and all around is as it was then
+    std::vector<float> quality;      ///< negative while not known
+
+    void resize(std::size_t slots) {
+        tried.resize(slots, 0);
+        quality.resize(slots, -1);
+    }
+};
+
+/// The rules of swaps while a mesh is coarsened.
 template <int D>
 class CoarseningRules {
 public:
-    CoarseningRules(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options)
-        : mesh_(mesh), in_(input), options_(options), tried_(mesh.slot_count(), 0),
-          quality_(mesh.slot_count(), -1) {}
+    CoarseningRules(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
+                    ElementNotes& notes, std::size_t lane)
+        : mesh_(mesh), in_(input), options_(options), notes_(notes), lane_(lane) {}
 
     /// Computed once until the element changes.
     double quality(ElementId e) {
-        float& known = quality_[e.index()];
+        float& known = notes_.quality[e.index()];
         if (known < 0) {
             known = static_cast<float>(quality(mesh_.nodes(e)));
         }
@@ -43,7 +58,8 @@ public:
         }
         const Verdict verdict =
             ameco::judge(mesh_, in_.sizes, std::min(options_.size_floor, size_before_), star);
-        if (verdict == Verdict::accepted && !in_.removed.interpolated_well(mesh_, cavity, star)) {
+        if (verdict == Verdict::accepted &&
+            !in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_)) {
             return Verdict::weak_coupling;
         }
         return verdict;
@@ -51,15 +67,11 @@ public:
 
     void make(const Cavity<D>& cavity, const Star<D>& star) {
         // Other proposals may have been looked at since this one was found.
-        (void)in_.removed.interpolated_well(mesh_, cavity, star);
-        const auto slots = mesh_.replace(cavity.elements, star.elements, star.sources);
-        in_.removed.move(cavity.elements, slots);
+        (void)in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_);
+        const auto slots = mesh_.replace(cavity.elements, star.elements, star.sources, lane_);
+        in_.removed.move(cavity.elements, slots, lane_);
         forget(star, slots);
     }
-
-    /// Whether no swap was found at the element, and all around it is as it was then.
-    bool failed_before(ElementId e) const { return tried_[e.index()] != 0; }
-    void set_failed(ElementId e) { tried_[e.index()] = 1; }
 
 private:
     int lineless(const Simplex<D>& s) const {
@@ -69,10 +81,9 @@ private:
     /// After a change: qualities of the new elements are not known, and what failed beside them may
     /// succeed now.
     void forget(const Star<D>& star, std::span<const ElementId> slots) {
-        tried_.resize(mesh_.slot_count(), 0);
-        quality_.resize(mesh_.slot_count(), -1);
+        notes_.resize(mesh_.slot_count());
         for (const ElementId e : slots) {
-            quality_[e.index()] = -1;
+            notes_.quality[e.index()] = -1;
         }
         for (const EditElement<D>& fresh : star.elements) {
             for (const NodeId v : fresh.nodes) {
@@ -80,7 +91,8 @@ private:
                     continue;
                 }
                 for (const ElementId e : mesh_.ball(v)) {
-                    tried_[e.index()] = 0;
+                    // Elements between parts may be forgotten by two threads at a time.
+                    std::atomic_ref(notes_.tried[e.index()]).store(0, std::memory_order_relaxed);
                 }
             }
         }
@@ -91,9 +103,118 @@ private:
     const SwapOptions& options_;
     double size_before_ = 1;
     int lineless_before_ = 0;
-    std::vector<std::uint8_t> tried_; ///< [slots] see failed_before
-    std::vector<float> quality_;      ///< [slots] negative while not known
+    ElementNotes& notes_;
+    std::size_t lane_; ///< of the mesh
 };
+
+/// Mends elements of low quality within a patch.
+template <int D>
+class Mender {
+public:
+    Mender(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
+           const SurfaceRules& surface, ElementNotes& notes, const Patch& patch,
+           VerdictCounts& verdicts)
+        : mesh_(mesh), options_(options), notes_(notes), patch_(patch),
+          rules_(mesh, input, options, notes, patch.lane()),
+          search_(mesh, rules_, options, surface, verdicts) {}
+
+    /// \return  false where the element is not within the patch
+    bool operator()(ElementId e) {
+        if (mesh_.is_free(e) || mesh_.is_ghost(e) || notes_.tried[e.index()] != 0 ||
+            rules_.quality(e) >= options_.below) {
+            return true; // after changes beside it
+        }
+        if (!may_mend(e)) {
+            return false;
+        }
+        if (!search_.mend(e)) {
+            notes_.tried[e.index()] = 1;
+        }
+        return true;
+    }
+
+private:
+    /// Whether all that the search looks at is within the patch, which is all elements that share
+    /// an edge with this one, and there is room for what a swap adds: fewer elements than its shell
+    /// has.
+    bool may_mend(ElementId e) const {
+        if (patch_.is_whole()) {
+            return true;
+        }
+        const Simplex<D>& s = mesh_.nodes(e);
+        const auto shares_an_edge = [&](ElementId f) {
+            const Simplex<D>& other = mesh_.nodes(f);
+            return std::count_if(s.begin(), s.end(), [&](NodeId v) {
+                       return std::find(other.begin(), other.end(), v) != other.end();
+                   }) >= 2;
+        };
+        return mesh_.free_slots(patch_.lane()) >= options_.largest_shell &&
+               std::all_of(s.begin(), s.end(), [&](NodeId v) {
+                   const auto ball = mesh_.ball(v);
+                   return std::all_of(ball.begin(), ball.end(), [&](ElementId f) {
+                       return patch_.holds(mesh_, f) || !shares_an_edge(f);
+                   });
+               });
+    }
+
+    EditMesh<D>& mesh_;
+    const SwapOptions& options_;
+    ElementNotes& notes_;
+    const Patch patch_;
+    CoarseningRules<D> rules_;
+    SwapSearch<D, CoarseningRules<D>> search_;
+};
+
+/// A round, for `work_in_patches`.
+template <int D>
+struct SwapRound {
+    EditMesh<D>& mesh;
+    const SwapInput<D>& input;
+    const SwapOptions& options;
+    const SurfaceRules& surface;
+    ElementNotes& notes;
+
+    void open(std::size_t lanes) {
+        mesh.open_lanes(lanes);
+        input.removed.open_lanes(lanes, mesh.slot_count());
+    }
+    [[nodiscard]] int part_of(const Partition& partition, ElementId e) const {
+        if (mesh.is_free(e) || mesh.is_ghost(e)) {
+            return -1; // changed since it was listed
+        }
+        const Simplex<D>& s = mesh.nodes(e);
+        const int part = partition.part[s[0]];
+        const bool same =
+            std::all_of(s.begin(), s.end(), [&](NodeId v) { return partition.part[v] == part; });
+        return same ? part : -1;
+    }
+    [[nodiscard]] Mender<D> worker(const Patch& patch, VerdictCounts& counts) {
+        return {mesh, input, options, surface, notes, patch, counts};
+    }
+};
+
+/// Elements to be tried, in the order of their slots.
+template <int D>
+std::vector<ElementId> bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input,
+                                    const SwapOptions& options, ElementNotes& notes) {
+    constexpr std::size_t slots_per_piece = 16384;
+    std::vector<std::vector<ElementId>> pieces(mesh.slot_count() / slots_per_piece + 1);
+    parallel_for(mesh.slot_count(), slots_per_piece, [&](std::size_t begin, std::size_t end) {
+        CoarseningRules<D> rules(mesh, input, options, notes, 0);
+        for (std::size_t i = begin; i < end; ++i) {
+            const ElementId e(i);
+            if (!mesh.is_free(e) && !mesh.is_ghost(e) && notes.tried[i] == 0 &&
+                rules.quality(e) < options.below) {
+                pieces[begin / slots_per_piece].push_back(e);
+            }
+        }
+    });
+    std::vector<ElementId> bad;
+    for (const std::vector<ElementId>& piece : pieces) {
+        bad.insert(bad.end(), piece.begin(), piece.end());
+    }
+    return bad;
+}
 
 } // namespace
 
@@ -115,33 +236,16 @@ bool is_lineless(const Lines& lines, const Simplex<D>& element) {
 template <int D>
 void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                        const SurfaceRules& surface, VerdictCounts& verdicts, Monitor& monitor) {
-    CoarseningRules<D> rules(mesh, input, options);
-    SwapSearch<D, CoarseningRules<D>> search(mesh, rules, options, surface, verdicts);
+    ElementNotes notes;
     for (int round = 0; round < options.rounds; ++round) {
-        std::int64_t made = 0;
-        // Slots are visited in order; elements made on the way wait for the next round.
-        const std::size_t slots = mesh.slot_count();
-        for (std::size_t i = 0; i < slots; ++i) {
-            const ElementId e(i);
-            if ((i & 0xFFFF) == 0) {
-                monitor.progress((round + static_cast<double>(i) / static_cast<double>(slots)) /
-                                     options.rounds,
-                                 "swapping");
-                if (monitor.stop_requested()) {
-                    return;
-                }
-            }
-            if (mesh.is_free(e) || mesh.is_ghost(e) || rules.failed_before(e) ||
-                rules.quality(e) >= options.below) {
-                continue;
-            }
-            if (search.mend(e)) {
-                ++made;
-            } else {
-                rules.set_failed(e);
-            }
-        }
-        if (made == 0) {
+        notes.resize(mesh.slot_count());
+        const std::int64_t before = verdicts[Verdict::accepted];
+        SwapRound<D> work{mesh, input, options, surface, notes};
+        MonitorPart part(monitor, static_cast<double>(round) / options.rounds,
+                         (round + 1.0) / options.rounds);
+        work_in_patches(bad_elements(mesh, input, options, notes), input.partitions, work, verdicts,
+                        "swapping", part);
+        if (verdicts[Verdict::accepted] == before || monitor.stop_requested()) {
             break;
         }
     }

@@ -6,6 +6,7 @@
 #include "core/base/monitor.h"
 #include "core/remesh/lines.h"
 #include "core/remesh/metric_quality.h"
+#include "core/remesh/partition.h"
 #include "core/remesh/removed_nodes.h"
 #include "core/remesh/swap_search.h"
 
@@ -19,6 +20,7 @@ struct SwapInput {
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const Lines& lines;
     RemovedNodes<D>& removed;
+    std::span<const Partition> partitions{}; ///< for threads; none: the whole mesh in order
 };
 
 /// Swaps around elements of low quality `metric_quality`, best proposal first, round by round. An
@@ -26,6 +28,9 @@ struct SwapInput {
 ///
 /// No swap may raise the number of layer elements without an edge along a line (all nodes on lines,
 /// none linked): such elements couple columns diagonally, and multigrid diverges on them.
+///
+/// Elements inside a part are mended side by side with those of other parts, the others after, see
+/// `work_in_patches`.
 template <int D>
 void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                        const SurfaceRules& surface, VerdictCounts& verdicts,

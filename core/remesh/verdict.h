@@ -38,6 +38,11 @@ struct VerdictCounts {
     std::array<std::int64_t, verdict_count> counts{};
 
     void add(Verdict v) { ++counts[static_cast<std::size_t>(v)]; }
+    void add(const VerdictCounts& more) {
+        for (std::size_t i = 0; i < verdict_count; ++i) {
+            counts[i] += more.counts[i];
+        }
+    }
     [[nodiscard]] std::int64_t operator[](Verdict v) const {
         return counts[static_cast<std::size_t>(v)];
     }

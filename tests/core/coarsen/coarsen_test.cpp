@@ -11,6 +11,7 @@
 
 #include <QTest>
 
+#include <atomic>
 #include <set>
 
 using namespace ameco;
@@ -83,7 +84,7 @@ public:
     [[nodiscard]] bool stop_requested() const override { return --patience_ < 0; }
 
 private:
-    mutable int patience_;
+    mutable std::atomic<int> patience_; ///< threads ask too
 };
 
 } // namespace
@@ -104,7 +105,10 @@ private slots:
     void graded_layers_coarsen_at_least_as_the_ideal_mesh();
     void coarse_nodes_are_fine_nodes_and_planar_geometry_stays();
     void a_small_wing_keeps_its_patches_and_stays_valid();
+    void threads_do_not_change_the_result_data();
     void threads_do_not_change_the_result();
+    void parts_do_not_show_in_layers();
+    void parts_cost_no_quality();
     void frozen_patches_are_left_untouched();
     void the_boundary_is_kept_when_asked();
     void a_request_to_stop_is_answered_with_cancelled_data();
@@ -311,16 +315,63 @@ void CoarsenTest::a_small_wing_keeps_its_patches_and_stays_valid() {
     QVERIFY(result.levels[4].mesh.points.size() * 8 < result.levels[0].mesh.points.size());
 }
 
+void CoarsenTest::threads_do_not_change_the_result_data() {
+    QTest::addColumn<int>("nodes_per_part");
+    QTest::addRow("whole mesh") << 1000000;
+    QTest::addRow("4 parts") << 2000;
+    QTest::addRow("many parts") << 250;
+}
+
 void CoarsenTest::threads_do_not_change_the_result() {
+    QFETCH(int, nodes_per_part);
     const auto mesh = make_onera_m6(onera_m6_presets().front().options);
+    CoarsenOptions options;
+    options.nodes_per_part = static_cast<std::size_t>(nodes_per_part);
     set_thread_count(1);
-    const auto one = run(mesh, 2);
-    set_thread_count(2);
-    const auto two = run(mesh, 2);
+    const auto one = run(mesh, 2, options);
+    for (const int threads : {2, 3, 8}) {
+        set_thread_count(threads);
+        const auto several = run(mesh, 2, options);
+        for (std::size_t k = 0; k < one.levels.size(); ++k) {
+            QVERIFY(one.levels[k].mesh == several.levels[k].mesh);
+            QVERIFY(one.levels[k].natural == several.levels[k].natural);
+            QVERIFY(one.levels[k].geometry.deviation == several.levels[k].geometry.deviation);
+        }
+        QVERIFY(one.reports[0].removal.counts == several.reports[0].removal.counts);
+        QVERIFY(one.reports[0].swaps.counts == several.reports[0].swaps.counts);
+    }
     set_thread_count(0);
-    for (std::size_t k = 0; k < one.levels.size(); ++k) {
-        QVERIFY(one.levels[k].mesh == two.levels[k].mesh);
-        QVERIFY(one.levels[k].natural == two.levels[k].natural);
+}
+
+/// Lines across layers lie in one part each, and lose the nodes of the same layers in all of them.
+void CoarsenTest::parts_do_not_show_in_layers() {
+    CoarsenOptions options;
+    options.nodes_per_part = 500;
+    LayerOptions layer;
+    layer.growth = 1;
+    const auto result = run(make_layer<3>(layer), 2, options);
+    QCOMPARE(result.reports[0].nodes_after, std::int64_t{17 * 25 * 25});
+    QCOMPARE(result.reports[1].nodes_after, std::int64_t{9 * 25 * 25});
+    for (const std::size_t k : {1, 2}) {
+        QCOMPARE(share_in_wrong_layers(result, k, 25 * 25), 0.0);
+    }
+    layer.nx = 96;
+    const auto flat = run(make_layer<2>(layer), 2, options);
+    QCOMPARE(flat.reports[0].nodes_after, std::int64_t{17 * 97});
+    QCOMPARE(flat.reports[1].nodes_after, std::int64_t{9 * 97});
+}
+
+void CoarsenTest::parts_cost_no_quality() {
+    const auto mesh = make_onera_m6(onera_m6_presets().front().options);
+    CoarsenOptions options;
+    const auto whole = run(mesh, 2, options);
+    options.nodes_per_part = 1000; // 8 parts
+    const auto cut = run(mesh, 2, options);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const CoarsenReport &a = whole.reports[k], &b = cut.reports[k];
+        QVERIFY(std::abs(static_cast<double>(b.nodes_after) / static_cast<double>(a.nodes_after) -
+                         1) < 0.03);
+        QVERIFY(b.conformity.in_band > a.conformity.in_band - 0.02);
     }
 }
 
@@ -350,17 +401,25 @@ void CoarsenTest::the_boundary_is_kept_when_asked() {
 
 void CoarsenTest::a_request_to_stop_is_answered_with_cancelled_data() {
     QTest::addColumn<int>("patience");
-    for (const int patience : {0, 1, 2, 4, 6}) {
-        QTest::addRow("after %d questions", patience) << patience;
+    QTest::addColumn<int>("nodes_per_part");
+    for (const int nodes_per_part : {1000000, 1000}) {
+        for (const int patience : {0, 1, 2, 4, 6, 20}) {
+            QTest::addRow("after %d questions, %s", patience,
+                          nodes_per_part == 1000 ? "parts" : "whole")
+                << patience << nodes_per_part;
+        }
     }
 }
 
 void CoarsenTest::a_request_to_stop_is_answered_with_cancelled() {
     QFETCH(int, patience);
+    QFETCH(int, nodes_per_part);
     const Level<3> fine = finest_level(make_layer<3>({}), {});
     ImpatientMonitor monitor(patience);
     CoarsenReport report;
-    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, {}, report, monitor));
+    CoarsenOptions options;
+    options.nodes_per_part = static_cast<std::size_t>(nodes_per_part);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, options, report, monitor));
 }
 
 void CoarsenTest::the_boundary_stays_within_its_tolerance() {
