@@ -117,7 +117,7 @@ void OptionsTest::takes_every_setting_of_the_table() {
         parse();
         QCOMPARE(setting(name.toStdString()).value(options), word.toStdString());
     } else {
-        QVERIFY_EXCEPTION_THROWN(parse(), CLI::ParseError);
+        QVERIFY_THROWS_EXCEPTION(CLI::ParseError, parse());
     }
 }
 

@@ -114,9 +114,9 @@ private slots:
     void a_metric_that_asks_for_too_many_nodes_is_refused() {
         const Mesh<3> mesh = make_cube<3>({.n = 2});
         AdaptReport report;
-        QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(1e-9), {}, report), InputError);
-        QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(1e-160), {}, report),
-                                 InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, (void)adapt(mesh, UniformMetric<3>(1e-9), {}, report));
+        QVERIFY_THROWS_EXCEPTION(InputError,
+                                 (void)adapt(mesh, UniformMetric<3>(1e-160), {}, report));
     }
 
     void a_stop_in_the_middle_is_obeyed_data() {
@@ -129,17 +129,17 @@ private slots:
         QFETCH(int, question);
         StopAt monitor(question);
         AdaptReport report;
-        QVERIFY_EXCEPTION_THROWN(
-            (void)adapt(make_cube<3>({.n = 4}), UniformMetric<3>(0.08), {}, report, monitor),
-            Cancelled);
+        QVERIFY_THROWS_EXCEPTION(
+            Cancelled,
+            (void)adapt(make_cube<3>({.n = 4}), UniformMetric<3>(0.08), {}, report, monitor));
     }
 
     void it_can_be_stopped() {
         const Mesh<3> mesh = make_cube<3>({.n = 3});
         StopAt monitor(1);
         AdaptReport report;
-        QVERIFY_EXCEPTION_THROWN((void)adapt(mesh, UniformMetric<3>(0.1), {}, report, monitor),
-                                 Cancelled);
+        QVERIFY_THROWS_EXCEPTION(Cancelled,
+                                 (void)adapt(mesh, UniformMetric<3>(0.1), {}, report, monitor));
     }
 };
 

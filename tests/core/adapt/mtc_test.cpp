@@ -152,9 +152,9 @@ private slots:
 
     void the_shape_alone_is_refused() {
         AdaptReport report;
-        QVERIFY_EXCEPTION_THROWN((void)adapt(make_cube<2>({.n = 2}), UniformMetric<2>(0.5),
-                                             mtc_options(Quality::shape), report),
-                                 UsageError);
+        QVERIFY_THROWS_EXCEPTION(UsageError,
+                                 (void)adapt(make_cube<2>({.n = 2}), UniformMetric<2>(0.5),
+                                             mtc_options(Quality::shape), report));
         QVERIFY(quality_of({}) == Quality::shape);
         QVERIFY(quality_of(mtc_options()) == Quality::modified);
     }

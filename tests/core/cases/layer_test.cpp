@@ -196,9 +196,9 @@ void LayerTest::refuses_a_bend_that_closes_on_itself() {
     LayerOptions o = small_layer();
     o.aspect_ratio = 1;
     o.curvature = -1;
-    QVERIFY_EXCEPTION_THROWN(make_layer<3>(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_layer<3>(o));
     o.curvature = 0.1;
-    QVERIFY_EXCEPTION_THROWN(make_layer<2>(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_layer<2>(o));
 }
 
 QTEST_APPLESS_MAIN(LayerTest)

@@ -81,7 +81,7 @@ void ModelLayerTest::refuses_layers_too_thick_for_a_concave_turn() {
     ModelLayerOptions o;
     o.angle_deg = -60;
     o.stretching = 1;
-    QVERIFY_EXCEPTION_THROWN(make_model_layer(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_model_layer(o));
 }
 
 QTEST_APPLESS_MAIN(ModelLayerTest)

@@ -162,16 +162,16 @@ void OneraM6Test::is_the_same_on_any_number_of_threads() {
 void OneraM6Test::refuses_layers_that_overshoot_the_far_field() {
     OneraM6Options o = preset("m6-8k");
     o.first_height = 1;
-    QVERIFY_EXCEPTION_THROWN(make_onera_m6(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_onera_m6(o));
     o = preset("m6-8k");
     o.growth_layers = o.layers;
-    QVERIFY_EXCEPTION_THROWN(make_onera_m6(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_onera_m6(o));
 }
 
 void OneraM6Test::refuses_thinned_columns_that_never_catch_up() {
     OneraM6Options o = preset("m6-8k");
     o.thin_ratio = 0.01; // 8 layers that double, against a growth of 1.4, make up for 0.06 only
-    QVERIFY_EXCEPTION_THROWN(make_onera_m6(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_onera_m6(o));
 }
 
 QTEST_APPLESS_MAIN(OneraM6Test)

@@ -130,13 +130,13 @@ void ShellTest::refuses_a_wall_too_coarse_for_its_curvature() {
     ShellOptions o = small_shell();
     o.b = 0.8;
     o.c = 0.02;
-    QVERIFY_EXCEPTION_THROWN(make_shell(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_shell(o));
 }
 
 void ShellTest::refuses_half_axes_out_of_order() {
     ShellOptions o = small_shell();
     o.c = 2;
-    QVERIFY_EXCEPTION_THROWN(make_shell(o), UsageError);
+    QVERIFY_THROWS_EXCEPTION(UsageError, make_shell(o));
 }
 
 QTEST_APPLESS_MAIN(ShellTest)

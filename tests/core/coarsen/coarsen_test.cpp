@@ -419,7 +419,7 @@ void CoarsenTest::a_request_to_stop_is_answered_with_cancelled() {
     CoarsenReport report;
     CoarsenOptions options;
     options.nodes_per_part = static_cast<std::size_t>(nodes_per_part);
-    QVERIFY_EXCEPTION_THROWN((void)coarsen(fine, options, report, monitor), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, options, report, monitor));
 }
 
 void CoarsenTest::the_boundary_stays_within_its_tolerance() {

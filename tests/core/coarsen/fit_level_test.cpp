@@ -189,7 +189,7 @@ void FitLevelTest::a_stop_request_is_obeyed() {
     options.nodes = CoarseNodes::moved;
     CoarsenReport report;
     StopAtMoves monitor;
-    QVERIFY_EXCEPTION_THROWN((void)coarsen(fine, options, report, monitor), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, options, report, monitor));
 }
 
 QTEST_GUILESS_MAIN(FitLevelTest)

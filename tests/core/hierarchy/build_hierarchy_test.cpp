@@ -192,7 +192,7 @@ void BuildHierarchyTest::lets_the_trouble_of_the_sink_through() {
     const LevelSink<3> full_disk = [](const Level<3>&, const LevelStatistics&, const LevelTiming&) {
         throw FileError("disk full");
     };
-    QVERIFY_EXCEPTION_THROWN(build_hierarchy(small_mesh<3>(), {}, full_disk), FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, build_hierarchy(small_mesh<3>(), {}, full_disk));
 }
 
 QTEST_APPLESS_MAIN(BuildHierarchyTest)

@@ -62,7 +62,7 @@ void ContentHashTest::refuses_what_is_no_hash_data() {
 
 void ContentHashTest::refuses_what_is_no_hash() {
     QFETCH(QString, text);
-    QVERIFY_EXCEPTION_THROWN((void)parse_hash(text.toStdString()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)parse_hash(text.toStdString()));
 }
 
 void ContentHashTest::names_the_file_it_cannot_read() {

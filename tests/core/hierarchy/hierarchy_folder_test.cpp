@@ -212,8 +212,8 @@ void HierarchyFolderTest::knows_its_files_by_name() {
 }
 
 void HierarchyFolderTest::refuses_a_file_in_place_of_the_folder() {
-    QVERIFY_EXCEPTION_THROWN(
-        HierarchyFolder(*this / "cube.meshb", *this / "cube.meshb", Hierarchy()), FileError);
+    QVERIFY_THROWS_EXCEPTION(
+        FileError, HierarchyFolder(*this / "cube.meshb", *this / "cube.meshb", Hierarchy()));
 }
 
 void HierarchyFolderTest::takes_back_what_was_begun_for_nothing() {
@@ -231,8 +231,8 @@ void HierarchyFolderTest::takes_back_what_was_begun_for_nothing() {
     HierarchyFolder(*this / "mine", *this / "cube.meshb", start).take_back();
     QCOMPARE(contents_of(*this / "mine").size(), std::size_t{1});
     // The copy of a file that is not there fails before there is an object.
-    QVERIFY_EXCEPTION_THROWN(HierarchyFolder(*this / "out", *this / "nothing.meshb", start),
-                             FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError,
+                             HierarchyFolder(*this / "out", *this / "nothing.meshb", start));
     QVERIFY(!fs::exists(*this / "out"));
 }
 

@@ -47,10 +47,10 @@ void LevelStateTest::refuses_the_state_of_another_mesh() {
     const std::string bytes = level_state_bytes(coarse_level());
     Level<3> other;
     other.mesh = small_mesh<3>();
-    QVERIFY_EXCEPTION_THROWN(parse_level_state(bytes, "state_1.cbor", other), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, parse_level_state(bytes, "state_1.cbor", other));
     Level<2> flat;
     flat.mesh = small_mesh<2>();
-    QVERIFY_EXCEPTION_THROWN(parse_level_state(bytes, "state_1.cbor", flat), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, parse_level_state(bytes, "state_1.cbor", flat));
 }
 
 void LevelStateTest::refuses_damaged_bytes() {
@@ -60,15 +60,15 @@ void LevelStateTest::refuses_damaged_bytes() {
          {std::size_t{0}, std::size_t{1}, bytes.size() / 2, bytes.size() - 1}) {
         Level<3> read;
         read.mesh = level.mesh;
-        QVERIFY_EXCEPTION_THROWN(parse_level_state(bytes.substr(0, length), "state_1.cbor", read),
-                                 InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError,
+                                 parse_level_state(bytes.substr(0, length), "state_1.cbor", read));
     }
     std::string wrong_class = bytes;
     const std::size_t at = bytes.find("node_class") + 10 + 4; // after the key and the length
     wrong_class.at(at) = '\x7f';
     Level<3> read;
     read.mesh = level.mesh;
-    QVERIFY_EXCEPTION_THROWN(parse_level_state(wrong_class, "state_1.cbor", read), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, parse_level_state(wrong_class, "state_1.cbor", read));
 }
 
 QTEST_APPLESS_MAIN(LevelStateTest)

@@ -137,10 +137,10 @@ private slots:
         Json json = to_json(example());
         json["verdicts"]["removal"]["tired"] = 7;
         LevelStatistics read;
-        QVERIFY_EXCEPTION_THROWN(from_json(json, read), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, from_json(json, read));
         json = to_json(example());
         json["warnings"][0]["defect"] = "tired";
-        QVERIFY_EXCEPTION_THROWN(from_json(json, read), InputError);
+        QVERIFY_THROWS_EXCEPTION(InputError, from_json(json, read));
     }
 
     void a_value_that_is_missing_or_of_another_kind_is_refused() {
@@ -149,9 +149,9 @@ private slots:
             Json json = whole;
             json.erase(key);
             LevelStatistics read;
-            QVERIFY_EXCEPTION_THROWN(from_json(json, read), Json::exception);
+            QVERIFY_THROWS_EXCEPTION(Json::exception, from_json(json, read));
             json[key] = "seven";
-            QVERIFY_EXCEPTION_THROWN(from_json(json, read), Json::exception);
+            QVERIFY_THROWS_EXCEPTION(Json::exception, from_json(json, read));
         }
     }
 };

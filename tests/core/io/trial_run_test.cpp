@@ -57,9 +57,9 @@ void TrialRunTest::a_crash_is_an_error_of_the_file() {
 void TrialRunTest::an_error_of_the_trial_is_thrown_as_it_is() {
     QCOMPARE(message_of({1000}, [] { throw InputError("a.vtu: is odd"); }),
              std::string("a.vtu: is odd"));
-    QVERIFY_EXCEPTION_THROWN(
-        require_survival("a.vtu", "VTK", {1000}, [] { throw FileError("b.vtu: is not there"); }),
-        FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, require_survival("a.vtu", "VTK", {1000}, [] {
+                                 throw FileError("b.vtu: is not there");
+                             }));
 }
 
 void TrialRunTest::memory_beyond_the_bound_is_refused_data() {
