@@ -194,7 +194,7 @@ EditMesh<D>::replace(std::span<const ElementId> old, std::span<const EditElement
     Lane& lane = lanes_[lane_index];
     std::size_t next = 0;
     std::vector<ElementId>& left_over = lane.left_over;
-    std::vector<ElementId>& slots = lane.slots;
+    std::vector<ElementId>& slots = lane.filled;
     left_over.clear();
     slots.resize(fresh.size());
     for (const ElementId slot : old) {
