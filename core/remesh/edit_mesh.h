@@ -130,7 +130,7 @@ private:
     /// What one thread needs for its edits; apart from others in memory.
     struct alignas(64) Lane {
         std::vector<ElementId> free;                                 ///< slots
-        std::vector<ElementId> left_over, slots;                     ///< scratch of `replace`
+        std::vector<ElementId> left_over, filled;                    ///< scratch of `replace`
         std::unique_ptr<std::pmr::monotonic_buffer_resource> memory; ///< of balls that grew
     };
     struct EdgeHash {
