@@ -46,14 +46,20 @@ void ConvergenceTest::two_grids_reach_the_theoretical_factor_in_layers_data() {
     QTest::addColumn<QByteArray>("aspect_ratio");
     QTest::addColumn<QByteArray>("growth");
     QTest::addColumn<QByteArray>("displace");
+    QTest::addColumn<int>("nodes_per_part");
     for (const char* aspect_ratio : {"1e2", "1e4", "1e6"}) {
         for (const char* growth : {"1", "1.2"}) {
             for (const char* displace : {"0", "0.2"}) {
                 QTest::addRow("aspect ratio %s, growth %s, displaced by %s", aspect_ratio, growth,
                               displace)
-                    << QByteArray(aspect_ratio) << QByteArray(growth) << QByteArray(displace);
+                    << QByteArray(aspect_ratio) << QByteArray(growth) << QByteArray(displace)
+                    << 1000000;
             }
         }
+    }
+    for (const char* aspect_ratio : {"1e2", "1e6"}) {
+        QTest::addRow("aspect ratio %s, in parts for threads", aspect_ratio)
+            << QByteArray(aspect_ratio) << QByteArray("1.2") << QByteArray("0.2") << 300;
     }
 }
 
@@ -61,8 +67,11 @@ void ConvergenceTest::two_grids_reach_the_theoretical_factor_in_layers() {
     QFETCH(QByteArray, aspect_ratio);
     QFETCH(QByteArray, growth);
     QFETCH(QByteArray, displace);
+    QFETCH(int, nodes_per_part);
+    CoarsenOptions options;
+    options.nodes_per_part = static_cast<std::size_t>(nodes_per_part);
     const auto g = grids::coarsened(
-        tall_layer(aspect_ratio.constData(), growth.constData(), displace.constData()), 4);
+        tall_layer(aspect_ratio.constData(), growth.constData(), displace.constData()), 4, options);
     const LevelEquations equations = poisson(g);
     for (std::size_t k = 0; k < 4; ++k) {
         const LevelStructure structure = level_structure(g.meshes[k]);

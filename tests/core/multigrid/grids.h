@@ -26,8 +26,7 @@ Mesh<D> layer(std::map<std::string, std::string> parameters) {
 }
 
 template <int D>
-Grids<D> coarsened(Mesh<D> mesh, int levels) {
-    const CoarsenOptions options;
+Grids<D> coarsened(Mesh<D> mesh, int levels, const CoarsenOptions& options = {}) {
     Grids<D> grids;
     Level<D> fine = finest_level(std::move(mesh), options);
     for (int k = 0; k < levels; ++k) {
