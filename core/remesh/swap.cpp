@@ -193,18 +193,21 @@ struct SwapRound {
     }
 };
 
-/// Elements to be tried, in the order of their slots.
+/// Elements to be tried, in the order of their slots: those that are bad now. A mesh that is worked
+/// on as a whole gets all slots, as elements may turn bad before their turn comes; with parts,
+/// dealing them out would cost more than that brings.
 template <int D>
-std::vector<ElementId> bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input,
-                                    const SwapOptions& options, ElementNotes& notes) {
+std::vector<ElementId> elements_to_try(EditMesh<D>& mesh, const SwapInput<D>& input,
+                                       const SwapOptions& options, ElementNotes& notes) {
     constexpr std::size_t slots_per_piece = 16384;
     std::vector<std::vector<ElementId>> pieces(mesh.slot_count() / slots_per_piece + 1);
     parallel_for(mesh.slot_count(), slots_per_piece, [&](std::size_t begin, std::size_t end) {
         CoarseningRules<D> rules(mesh, input, options, notes, 0);
         for (std::size_t i = begin; i < end; ++i) {
             const ElementId e(i);
-            if (!mesh.is_free(e) && !mesh.is_ghost(e) && notes.tried[i] == 0 &&
-                rules.quality(e) < options.below) {
+            if (input.partitions.empty() ||
+                (!mesh.is_free(e) && !mesh.is_ghost(e) && notes.tried[i] == 0 &&
+                 rules.quality(e) < options.below)) {
                 pieces[begin / slots_per_piece].push_back(e);
             }
         }
@@ -243,8 +246,8 @@ void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapO
         SwapRound<D> work{mesh, input, options, surface, notes};
         MonitorPart part(monitor, static_cast<double>(round) / options.rounds,
                          (round + 1.0) / options.rounds);
-        work_in_patches(bad_elements(mesh, input, options, notes), input.partitions, work, verdicts,
-                        "swapping", part);
+        work_in_patches(elements_to_try(mesh, input, options, notes), input.partitions, work,
+                        verdicts, "swapping", part);
         if (verdicts[Verdict::accepted] == before || monitor.stop_requested()) {
             break;
         }
