@@ -19,7 +19,7 @@ def pages():
     """All pages but those below folders that are built, or hidden."""
     for page in sorted(SOURCE.rglob("*.md")):
         first = page.relative_to(SOURCE).parts[0]
-        if not first.startswith((".", "build", "demo-out")):
+        if not first.startswith((".", "build", "demo-out", "reproduce-out")):
             yield page
 
 
