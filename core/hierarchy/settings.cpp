@@ -89,72 +89,24 @@ Setting until_isotropic_setting() {
     return s;
 }
 
-Setting algorithm_setting() {
+/// A setting that has one of a few named values, at some place of the options.
+template <const auto& Values, class Place>
+Setting choice_setting(std::string_view option, std::string_view label, std::string_view value_name,
+                       std::string help, Place) {
     Setting s;
-    s.name = "algorithm";
-    s.label = "Algorithm";
-    s.value_name = "NAME";
+    s.name = option;
+    s.label = label;
+    s.value_name = value_name;
+    s.help = std::move(help);
     s.kind = Setting::Kind::choice;
-    s.choices = names_of(all_target_algorithms);
-    s.help = "whether sizes take notice of those beside them: " + joined(s.choices, ", ");
-    s.value = [](const HierarchyOptions& o) {
-        return std::string(name(o.coarsen.target.algorithm));
-    };
+    s.choices = names_of(Values);
+    s.value = [](const HierarchyOptions& o) { return std::string(name(Place()(o))); };
     s.assign = [](HierarchyOptions& o, const std::string& word) {
-        TargetAlgorithm& algorithm = o.coarsen.target.algorithm;
-        algorithm = target_algorithm_from_name(word).value_or(algorithm);
-    };
-    return s;
-}
-
-Setting mean_setting() {
-    Setting s;
-    s.name = "mean";
-    s.label = "Mean";
-    s.value_name = "NAME";
-    s.kind = Setting::Kind::choice;
-    s.choices = names_of(all_means);
-    s.help = "how the metrics of the elements at a node become one: " + joined(s.choices, ", ");
-    s.value = [](const HierarchyOptions& o) { return std::string(name(o.coarsen.mean)); };
-    s.assign = [](HierarchyOptions& o, const std::string& word) {
-        o.coarsen.mean = mean_from_name(word).value_or(o.coarsen.mean);
-    };
-    return s;
-}
-
-Setting nodes_setting() {
-    Setting s;
-    s.name = "nodes";
-    s.label = "Nodes";
-    s.value_name = "WHERE";
-    s.kind = Setting::Kind::choice;
-    s.choices = names_of(all_coarse_nodes);
-    s.help =
-        "where the nodes of a level are: nested (where nodes of the finer one are), moved (where "
-        "the metric wants them: more edges in band, no injection)";
-    s.value = [](const HierarchyOptions& o) { return std::string(name(o.coarsen.nodes)); };
-    s.assign = [](HierarchyOptions& o, const std::string& word) {
-        o.coarsen.nodes = coarse_nodes_from_name(word).value_or(o.coarsen.nodes);
-    };
-    return s;
-}
-
-Setting boundary_setting() {
-    Setting s;
-    s.name = "boundary";
-    s.label = "Boundary";
-    s.value_name = "HOW";
-    s.kind = Setting::Kind::choice;
-    s.choices = names_of(all_boundary_choices);
-    s.help =
-        "coarsen: the boundary is coarsened too, but for the patches of --freeze; keep: all of "
-        "it stays as it is";
-    s.value = [](const HierarchyOptions& o) {
-        return std::string(name(o.coarsen.features.boundary));
-    };
-    s.assign = [](HierarchyOptions& o, const std::string& word) {
-        BoundaryChoice& choice = o.coarsen.features.boundary;
-        choice = boundary_choice_from_name(word).value_or(choice);
+        for (const auto value : Values) {
+            if (name(value) == word) {
+                Place()(o) = value;
+            }
+        }
     };
     return s;
 }
@@ -191,14 +143,22 @@ std::vector<Setting> make_settings() {
         "regions with a lower aspect ratio are coarsened alike in all directions, the more the "
         "rounder they are; at least 1, which leaves that out, as the paper does",
         1, no_bound, [](auto& o) -> auto& { return o.coarsen.target.isotropic_below; }));
-    all.push_back(algorithm_setting());
+    all.push_back(choice_setting<all_target_algorithms>(
+        "algorithm", "Algorithm", "NAME",
+        "whether sizes take notice of those beside them: " +
+            joined(names_of(all_target_algorithms), ", "),
+        [](auto& o) -> auto& { return o.coarsen.target.algorithm; }));
     all.push_back(number_setting(
         "gradation", "Gradation", "BETA",
         "with --algorithm graded: most growth of the coarse sizes over one fine edge, greater than "
         "1",
         1, no_bound, [](auto& o) -> auto& { return o.coarsen.target.gradation; }));
     all.back().above_low = true;
-    all.push_back(mean_setting());
+    all.push_back(choice_setting<all_means>(
+        "mean", "Mean", "NAME",
+        "how the metrics of the elements at a node become one: " +
+            joined(names_of(all_means), ", "),
+        [](auto& o) -> auto& { return o.coarsen.mean; }));
     all.push_back(number_setting(
         "surface-deviation", "Surface deviation", "D",
         "how far the boundary may move, over the local size of the surface mesh", 0, no_bound,
@@ -206,8 +166,16 @@ std::vector<Setting> make_settings() {
     all.push_back(number_setting(
         "ridge-angle", "Ridge angle", "DEG", "boundary edges that turn by more degrees are kept", 0,
         180, [](auto& o) -> auto& { return o.coarsen.features.ridge_angle_deg; }));
-    all.push_back(nodes_setting());
-    all.push_back(boundary_setting());
+    all.push_back(choice_setting<all_coarse_nodes>(
+        "nodes", "Nodes", "WHERE",
+        "where the nodes of a level are: nested (where nodes of the finer one are), moved (where "
+        "the metric wants them: more edges in band, no injection)",
+        [](auto& o) -> auto& { return o.coarsen.nodes; }));
+    all.push_back(choice_setting<all_boundary_choices>(
+        "boundary", "Boundary", "HOW",
+        "coarsen: the boundary is coarsened too, but for the patches of --freeze; keep: all of "
+        "it stays as it is",
+        [](auto& o) -> auto& { return o.coarsen.features.boundary; }));
     all.push_back(rebuild_setting());
     return all;
 }
