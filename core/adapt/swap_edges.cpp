@@ -30,6 +30,7 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
                              const Monitor& monitor) {
     QualityRules<D> rules(mesh);
     SwapSearch<D, QualityRules<D>> search(mesh.edit, rules, options, surface, verdicts);
+    EdgeNeighbours<D> around;
     std::int64_t made = 0;
     StopCheck stop(monitor);
     for (int round = 0; round < options.rounds; ++round) {
@@ -50,7 +51,8 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
             const auto changed = [&](NodeId v) { return mesh.changed_since(v, since); };
             if (std::any_of(s.begin(), s.end(), changed) &&
                 !std::all_of(s.begin(), s.end(), is_held)) {
-                made += search.mend(e) ? 1 : 0;
+                around.find(mesh.edit, e);
+                made += search.mend(e, around) ? 1 : 0;
             }
         }
         if (made == before) {

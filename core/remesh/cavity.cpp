@@ -26,38 +26,17 @@ void add_facets_opposite(const EditMesh<D>& mesh, ElementId e, NodeId v, Cavity<
 }
 
 template <int D>
+void add_to_shell(const EditMesh<D>& mesh, ElementId e, NodeId a, NodeId b, Cavity<D>& cavity) {
+    cavity.elements.push_back(e);
+    add_facets_opposite(mesh, e, a, cavity);
+    add_facets_opposite(mesh, e, b, cavity);
+}
+
+template <int D>
 void clear(Cavity<D>& cavity) {
     cavity.elements.clear();
     cavity.facets.clear();
     cavity.inside.clear();
-}
-
-/// The element on `facet` (normal away from it) and `node`; the ghost, if any, in the last place.
-template <int D>
-Simplex<D> join(const Facet<D>& facet, NodeId node, NodeId ghost) {
-    if constexpr (D == 2) {
-        const NodeId a = facet[0], b = facet[1];
-        if (a == ghost) {
-            return {b, node, a};
-        }
-        if (b == ghost) {
-            return {node, a, b};
-        }
-        return {a, b, node};
-    } else {
-        const NodeId a = facet[0], b = facet[2], c = facet[1];
-        // Even permutations of (a, b, c, node).
-        if (a == ghost) {
-            return {b, node, c, a};
-        }
-        if (b == ghost) {
-            return {a, c, node, b};
-        }
-        if (c == ghost) {
-            return {a, node, b, c};
-        }
-        return {a, b, c, node};
-    }
 }
 
 } // namespace
@@ -89,10 +68,20 @@ void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity
     }
     for (const ElementId e : mesh.ball(a)) {
         if (contains(mesh.nodes(e), b)) {
-            cavity.elements.push_back(e);
-            add_facets_opposite(mesh, e, a, cavity);
-            add_facets_opposite(mesh, e, b, cavity);
+            add_to_shell(mesh, e, a, b, cavity);
         }
+    }
+}
+
+template <int D>
+void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, std::span<const ElementId> elements,
+                  Cavity<D>& cavity) {
+    clear(cavity);
+    if (mesh.ball(b).size() < mesh.ball(a).size()) {
+        std::swap(a, b);
+    }
+    for (const ElementId e : elements) {
+        add_to_shell(mesh, e, a, b, cavity);
     }
 }
 
@@ -110,6 +99,33 @@ void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& c
 }
 
 template <int D>
+Simplex<D> join_facet(const Facet<D>& facet, NodeId node, NodeId ghost) {
+    if constexpr (D == 2) {
+        const NodeId a = facet[0], b = facet[1];
+        if (a == ghost) {
+            return {b, node, a};
+        }
+        if (b == ghost) {
+            return {node, a, b};
+        }
+        return {a, b, node};
+    } else {
+        const NodeId a = facet[0], b = facet[2], c = facet[1];
+        // Even permutations of (a, b, c, node).
+        if (a == ghost) {
+            return {b, node, c, a};
+        }
+        if (b == ghost) {
+            return {a, c, node, b};
+        }
+        if (c == ghost) {
+            return {a, node, b, c};
+        }
+        return {a, b, c, node};
+    }
+}
+
+template <int D>
 void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, Star<D>& star) {
     star.elements.clear();
     star.sources.clear();
@@ -117,7 +133,7 @@ void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, St
         if (!contains(cavity.facets[i], node)) {
             const EditElement<D>& source = mesh.element(cavity.inside[i]);
             star.elements.push_back(
-                {join<D>(cavity.facets[i], node, mesh.ghost()), source.label, source.measure});
+                {join_facet<D>(cavity.facets[i], node, mesh.ghost()), source.label, source.measure});
             star.sources.push_back(cavity.inside[i]);
         }
     }
@@ -188,7 +204,10 @@ double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
     template bool is_positive(const EditMesh<D>&, const Simplex<D>&);                              \
     template void gather_ball(const EditMesh<D>&, NodeId, Cavity<D>&);                             \
     template void gather_shell(const EditMesh<D>&, NodeId, NodeId, Cavity<D>&);                    \
+    template void gather_shell(const EditMesh<D>&, NodeId, NodeId, std::span<const ElementId>,     \
+                               Cavity<D>&);                                                        \
     template void gather_pair(const EditMesh<D>&, ElementId, ElementId, Cavity<D>&);               \
+    template Simplex<D> join_facet<D>(const Facet<D>&, NodeId, NodeId);                            \
     template void join_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);               \
     template Verdict test_star(const EditMesh<D>&, const Star<D>&);                                \
     template Verdict make_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);            \

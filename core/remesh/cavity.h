@@ -37,6 +37,11 @@ void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity);
 template <int D>
 void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity);
 
+/// The same where the elements at the edge are known.
+template <int D>
+void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, std::span<const ElementId> elements,
+                  Cavity<D>& cavity);
+
 /// Two elements with a common facet.
 template <int D>
 void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& cavity);
@@ -44,6 +49,11 @@ void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& c
 /// Whether the nodes of a real element stand in positive orientation; exact.
 template <int D>
 [[nodiscard]] bool is_positive(const EditMesh<D>& mesh, const Simplex<D>& element);
+
+/// The element on a facet of a cavity (normal outwards) and a node that is not on it; the ghost, if
+/// any, in the last place.
+template <int D>
+[[nodiscard]] Simplex<D> join_facet(const Facet<D>& facet, NodeId node, NodeId ghost);
 
 /// Joins `node` to all facets of the cavity that do not contain it, without a look at orientations.
 template <int D>

@@ -189,6 +189,9 @@ double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root, const S
     for (int i = 0; i <= D; ++i) {
         x[i] = mesh.point(element[i]);
     }
+    if (edge_determinant(x) <= 0) {
+        return 0; // no quality is more; half of the elements that swaps propose are such
+    }
     const Measures<D> m = measure<D>(x, mean_root<D>(root, element));
     switch (quality) {
     case Quality::shape:

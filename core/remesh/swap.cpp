@@ -27,7 +27,8 @@ class CoarseningRules {
 public:
     CoarseningRules(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                     ElementNotes& notes, std::size_t lane)
-        : mesh_(mesh), in_(input), options_(options), notes_(notes), lane_(lane) {}
+        : mesh_(mesh), in_(input), options_(options), notes_(notes), lane_(lane),
+          in_star_(mesh.node_count(), 0) {}
 
     /// Computed once until the element changes.
     double quality(ElementId e) {
@@ -78,24 +79,42 @@ private:
         return s[D] != mesh_.ghost() && is_lineless<D>(in_.lines, s) ? 1 : 0;
     }
 
-    /// After a change: qualities of the new elements are not known, and what failed beside them may
-    /// succeed now.
+    /// After a change: qualities of the new elements are not known, and what failed at elements that
+    /// share an edge with one of them may succeed now.
     void forget(const Star<D>& star, std::span<const ElementId> slots) {
         notes_.resize(mesh_.slot_count());
         for (const ElementId e : slots) {
             notes_.quality[e.index()] = -1;
         }
+        nodes_.clear();
         for (const EditElement<D>& fresh : star.elements) {
             for (const NodeId v : fresh.nodes) {
-                if (v == mesh_.ghost()) {
-                    continue;
+                if (v != mesh_.ghost() && in_star_[v] == 0) {
+                    in_star_[v] = 1;
+                    nodes_.push_back(v);
                 }
-                for (const ElementId e : mesh_.ball(v)) {
+            }
+        }
+        for (const NodeId v : nodes_) {
+            for (const ElementId e : mesh_.ball(v)) {
+                if (shares_an_edge(mesh_.nodes(e))) {
                     // Elements between parts may be forgotten by two threads at a time.
                     std::atomic_ref(notes_.tried[e.index()]).store(0, std::memory_order_relaxed);
                 }
             }
         }
+        for (const NodeId v : nodes_) {
+            in_star_[v] = 0;
+        }
+    }
+
+    /// Whether two of an element's nodes are among those marked.
+    bool shares_an_edge(const Simplex<D>& s) const {
+        int marked = s[D] == mesh_.ghost() ? 0 : in_star_[s[D]];
+        for (int i = 0; i < D; ++i) {
+            marked += in_star_[s[i]];
+        }
+        return marked >= 2;
     }
 
     EditMesh<D>& mesh_;
@@ -105,6 +124,8 @@ private:
     int lineless_before_ = 0;
     ElementNotes& notes_;
     std::size_t lane_; ///< of the mesh
+    std::vector<NodeId> nodes_;
+    NodeMarks in_star_; ///< of nodes_, while elements around them are forgotten
 };
 
 /// Mends elements of low quality within a patch.
@@ -124,10 +145,11 @@ public:
             rules_.quality(e) >= options_.below) {
             return true; // after changes beside it
         }
-        if (!may_mend(e)) {
+        around_.find(mesh_, e);
+        if (!may_mend()) {
             return false;
         }
-        if (!search_.mend(e)) {
+        if (!search_.mend(e, around_)) {
             notes_.tried[e.index()] = 1;
         }
         return true;
@@ -137,24 +159,21 @@ private:
     /// Whether all that the search looks at is within the patch, which is all elements that share
     /// an edge with this one, and there is room for what a swap adds: fewer elements than its shell
     /// has.
-    bool may_mend(ElementId e) const {
+    bool may_mend() const {
         if (patch_.is_whole()) {
             return true;
         }
-        const Simplex<D>& s = mesh_.nodes(e);
-        const auto shares_an_edge = [&](ElementId f) {
-            const Simplex<D>& other = mesh_.nodes(f);
-            return std::count_if(s.begin(), s.end(), [&](NodeId v) {
-                       return std::find(other.begin(), other.end(), v) != other.end();
-                   }) >= 2;
-        };
-        return mesh_.free_slots(patch_.lane()) >= options_.largest_shell &&
-               std::all_of(s.begin(), s.end(), [&](NodeId v) {
-                   const auto ball = mesh_.ball(v);
-                   return std::all_of(ball.begin(), ball.end(), [&](ElementId f) {
-                       return patch_.holds(mesh_, f) || !shares_an_edge(f);
-                   });
-               });
+        if (mesh_.free_slots(patch_.lane()) < options_.largest_shell) {
+            return false;
+        }
+        for (int i = 0; i <= D; ++i) {
+            for (const auto& neighbour : around_.at(i)) {
+                if (!patch_.holds(mesh_, neighbour.element)) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     EditMesh<D>& mesh_;
@@ -163,6 +182,7 @@ private:
     const Patch patch_;
     CoarseningRules<D> rules_;
     SwapSearch<D, CoarseningRules<D>> search_;
+    EdgeNeighbours<D> around_;
 };
 
 /// A round, for `work_in_patches`.

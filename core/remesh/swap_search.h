@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/mesh/simplex.h"
+#include "core/remesh/edge_neighbours.h"
 #include "core/remesh/edge_shell.h"
 
 #include <algorithm>
@@ -39,17 +40,17 @@ public:
         : mesh_(mesh), rules_(rules), options_(options), surface_(surface), verdicts_(verdicts) {}
 
     /// Tries the swaps at one element; true if one was made.
-    bool mend(ElementId e) {
+    /// \param around  of the element
+    bool mend(ElementId e, const EdgeNeighbours<D>& around) {
         element_ = e;
         best_quality_ = 0;
         best_verdict_ = Verdict::no_improvement;
-        const Simplex<D> s = mesh_.nodes(e);
         for (const auto& [i, j] : SimplexNumbering<D>::edges) {
-            try_edge(s[i], s[j]);
+            try_edge(i, j, around);
         }
         if constexpr (D == 3) {
-            for (const NodeId v : s) {
-                try_face(e, v);
+            for (int i = 0; i <= D; ++i) {
+                try_face(i, around.behind(i));
             }
         }
         verdicts_.add(best_quality_ > 0 ? Verdict::accepted : best_verdict_);
@@ -61,15 +62,17 @@ public:
     }
 
 private:
-    void try_edge(NodeId a, NodeId b) {
-        if (!is_worst_at(a, b)) {
+    /// The edge between two corners of the element.
+    void try_edge(int i, int j, const EdgeNeighbours<D>& around) {
+        if (!gather_shell_of_worst(i, j, around)) {
             return; // this shell is the matter of a worse element
         }
-        gather_shell(mesh_, a, b, cavity_);
-        if (cavity_.elements.size() > options_.largest_shell) {
+        if (shell_.size() > options_.largest_shell) {
             note(Verdict::cavity_too_large);
             return;
         }
+        const NodeId a = mesh_.nodes(element_)[i], b = mesh_.nodes(element_)[j];
+        gather_shell(mesh_, a, b, shell_, cavity_);
         const Verdict allowed = allowed_to_leave(mesh_, a, b, cavity_);
         if (allowed != Verdict::accepted) {
             note(allowed);
@@ -79,35 +82,36 @@ private:
         try_stars(ring_);
     }
 
-    /// Whether no element at the edge is worse than the one that is to be mended.
-    bool is_worst_at(NodeId a, NodeId b) {
-        const bool fewer = mesh_.ball(a).size() < mesh_.ball(b).size();
+    /// Whether no element at the edge is worse than the one that is to be mended; all of them are
+    /// in shell_ then.
+    bool gather_shell_of_worst(int i, int j, const EdgeNeighbours<D>& around) {
+        const int end = around.quicker_end(i, j), other = i + j - end;
         const double quality = rules_.quality(element_);
-        const auto ball = mesh_.ball(fewer ? a : b);
-        return std::none_of(ball.begin(), ball.end(), [&](ElementId e) {
-            return !mesh_.is_ghost(e) && has(mesh_.nodes(e), fewer ? b : a) &&
-                   rules_.quality(e) < quality;
-        });
+        shell_.clear();
+        for (const auto& n : around.at(end)) {
+            if ((n.shared >> other & 1) != 0) {
+                if (!mesh_.is_ghost(n.element) && rules_.quality(n.element) < quality) {
+                    return false;
+                }
+                shell_.push_back(n.element);
+            }
+        }
+        return true;
     }
 
-    /// The face of `e` opposite `v`: 2 elements become 3 around the edge to the node behind.
-    void try_face(ElementId e, NodeId v) {
-        const ElementId behind = neighbour(e, v);
-        if (!behind.valid() || mesh_.is_ghost(behind)) {
+    /// The face opposite corner i: 2 elements become 3 around the edge to the node behind.
+    void try_face(int i, ElementId behind) {
+        if (!behind.valid() || mesh_.is_ghost(behind) ||
+            rules_.quality(behind) < rules_.quality(element_)) {
             return;
         }
-        const Simplex<D>& s = mesh_.nodes(e);
-        Facet<D> face;
-        std::copy_if(s.begin(), s.end(), face.begin(), [&](NodeId w) { return w != v; });
-        if (rules_.quality(behind) < rules_.quality(e)) {
-            return;
-        }
-        gather_pair(mesh_, e, behind, cavity_);
-        if (protected_inside(face) || !has_one_label(mesh_, cavity_)) {
+        gather_pair(mesh_, element_, behind, cavity_);
+        if (protected_inside(facet_of<D>(mesh_.nodes(element_), i)) ||
+            !has_one_label(mesh_, cavity_)) {
             note(Verdict::region_border);
             return;
         }
-        ring_.assign(1, v);
+        ring_.assign(1, mesh_.nodes(element_)[i]);
         try_stars(ring_);
     }
 
@@ -127,16 +131,19 @@ private:
 
     /// Builds and judges the star of the cavity from `node`; when accepted, best_quality_ is its.
     Verdict judge_star(NodeId node, double needed) {
-        join_star(mesh_, cavity_, node, star_);
         double worst = 1;
-        for (const EditElement<D>& e : star_.elements) {
-            if (e.nodes[D] != mesh_.ghost()) {
-                worst = std::min(worst, rules_.quality(e.nodes));
-                if (worst <= needed) {
-                    return Verdict::no_improvement;
+        for (const Facet<D>& facet : cavity_.facets) {
+            if (std::find(facet.begin(), facet.end(), node) == facet.end()) {
+                const Simplex<D> joined = join_facet<D>(facet, node, mesh_.ghost());
+                if (joined[D] != mesh_.ghost()) {
+                    worst = std::min(worst, rules_.quality(joined));
+                    if (worst <= needed) {
+                        return Verdict::no_improvement;
+                    }
                 }
             }
         }
+        join_star(mesh_, cavity_, node, star_);
         // Exact signs cost more than the quality, which is 0 where they are clearly wrong.
         Verdict verdict = test_star(mesh_, star_);
         if (verdict == Verdict::accepted) {
@@ -152,28 +159,11 @@ private:
         return verdict;
     }
 
-    static bool has(const Simplex<D>& s, NodeId v) {
-        return std::find(s.begin(), s.end(), v) != s.end();
-    }
-
     /// Faces inside the domain, and those of required elements, have frozen nodes only.
     bool protected_inside(const Facet<D>& face) const {
         return mesh_.has_protected_inside() && std::all_of(face.begin(), face.end(), [&](NodeId v) {
                    return mesh_.node_class(v) == NodeClass::frozen;
                });
-    }
-
-    /// The element behind the facet of `e` opposite `v`.
-    ElementId neighbour(ElementId e, NodeId v) const {
-        const Simplex<D>& s = mesh_.nodes(e);
-        const NodeId other = s[0] == v ? s[1] : s[0];
-        for (const ElementId f : mesh_.ball(other)) {
-            if (f != e && std::all_of(s.begin(), s.end(),
-                                      [&](NodeId w) { return w == v || has(mesh_.nodes(f), w); })) {
-                return f;
-            }
-        }
-        return {};
     }
 
     void note(Verdict verdict) {
@@ -189,6 +179,7 @@ private:
     VerdictCounts& verdicts_;
     Cavity<D> cavity_, best_cavity_;
     Star<D> star_, best_star_;
+    std::vector<ElementId> shell_;
     std::vector<NodeId> ring_;
     ElementId element_;
     double best_quality_ = 0;

@@ -131,7 +131,10 @@ bool swap_any(Workbench<D>& bench, std::mt19937& random) {
     const SurfaceRules surface;
     VerdictCounts verdicts;
     SwapSearch<D, RandomRules<D>> search(bench.edit, rules, options, surface, verdicts);
-    return search.mend(any_element(bench.edit, random));
+    const ElementId e = any_element(bench.edit, random);
+    EdgeNeighbours<D> around;
+    around.find(bench.edit, e);
+    return search.mend(e, around);
 }
 
 } // namespace
