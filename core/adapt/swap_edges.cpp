@@ -12,7 +12,7 @@ public:
     explicit QualityRules(UnitMesh<D>& mesh) : mesh_(mesh) {}
 
     double quality(ElementId e) const { return static_cast<double>(mesh_.edit.element(e).measure); }
-    double quality(const Simplex<D>& s) const { return mesh_.quality(s); }
+    double quality(const Simplex<D>& s, double /*least*/) const { return mesh_.quality(s); }
     double short_size(NodeId v) const { return mesh_.short_size(v); }
     void look_at(const Cavity<D>& /*cavity*/) {}
     Verdict judge(const Cavity<D>& /*cavity*/, Star<D>& star) { return mesh_.judge(0, star); }

@@ -13,7 +13,7 @@ UnitMesh<D>::UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes,
                       Quality quality_function)
     : edit(mesh, classes), source_(source), quality_(quality_function),
       factor_(mesh.points.size(), Mat<D>::Zero()), root_(mesh.points.size()),
-      short_size_(mesh.points.size(), 0), near_(std::move(near)), touched_(mesh.points.size(), 0),
+      short_size_(mesh.points.size(), 0), near_(std::move(near)), changes_(mesh.points.size()),
       held_(mesh.points.size(), 0), first_place_(mesh.points) {
     parallel_for(mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -46,7 +46,7 @@ NodeId UnitMesh<D>::add_node(const Vec<D>& p, NodeId beside, NodeClass node_clas
     root_.push_back({});
     short_size_.push_back(0);
     near_.push_back(near_[beside]);
-    touched_.push_back(clock_);
+    changes_.add_node();
     held_.push_back(0);
     first_place_.push_back(p);
     set_metric(v, source_.at(p, near_[v]));
@@ -61,7 +61,7 @@ void UnitMesh<D>::drop_last_node() {
     root_.resize(n);
     short_size_.resize(n);
     near_.resize(n);
-    touched_.resize(n);
+    changes_.drop_last_node();
     held_.resize(n);
     first_place_.resize(n, Vec<D>::Zero());
 }

@@ -7,6 +7,7 @@
 #include "core/base/stop_check.h"
 #include "core/metric/edge_length.h"
 #include "core/remesh/cavity.h"
+#include "core/remesh/change_times.h"
 #include "core/remesh/metric_quality.h"
 #include "core/remesh/surface_rules.h"
 
@@ -83,11 +84,13 @@ public:
     [[nodiscard]] bool is_held(NodeId v) const { return held_[v] != 0; }
 
     /// Says that the elements at a node have changed; \see changed_since.
-    void touch(NodeId v) { touched_[v] = clock_; }
+    void touch(NodeId v) { changes_.touch(v); }
     /// Whether anything at the node has changed since that time of the clock.
-    [[nodiscard]] bool changed_since(NodeId v, int time) const { return touched_[v] >= time; }
+    [[nodiscard]] bool changed_since(NodeId v, ChangeTimes::Time time) const {
+        return changes_.changed_since(v, time);
+    }
     /// Starts a new time, and returns it.
-    int tick() { return ++clock_; }
+    ChangeTimes::Time tick() { return changes_.tick(); }
 
     /// Replaces a cavity, and touches the nodes of the star.
     void replace(const Cavity<D>& cavity, const Star<D>& star);
@@ -101,10 +104,9 @@ private:
     RootField<D> root_;
     IdVector<NodeId, double> short_size_;
     IdVector<NodeId, NodeId> near_; ///< a node of the background mesh near each node
-    IdVector<NodeId, int> touched_;
+    ChangeTimes changes_;
     IdVector<NodeId, std::uint8_t> held_;
     IdVector<NodeId, Vec<D>> first_place_;
-    int clock_ = 0;
 };
 
 } // namespace ameco

@@ -77,11 +77,12 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     measure_size_quality(mesh, data.sizes);
     RemovedNodes<D> removed(
         data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
-    const RemovalInput<D> input{data.front.order, data.couplings, data.sizes,
-                                data.natural,     data.target,    data.short_size,
-                                data.directions,  removed,        data.partitions};
-    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size,
-                                  data.lines, removed,   data.partitions};
+    EditNotes notes(mesh);
+    const RemovalInput<D> input{
+        data.front.order, data.couplings,  data.sizes, data.natural, data.target,
+        data.short_size,  data.directions, removed,    notes,        data.partitions};
+    const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines,
+                                  removed,    notes,     data.partitions};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);

@@ -41,9 +41,9 @@ struct CoarsenOptions {
     TargetOptions target;
     FeatureOptions features;
     LineOptions lines;
-    RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
-    SwapOptions swaps;
-    int passes = 6; ///< removal passes, >= 1; swaps come after each
+    RemovalOptions removal;         ///< with the rules for the boundary, which the swaps obey too
+    SwapOptions swaps{.rounds = 2}; ///< a third would mend one element in a thousand
+    int passes = 6;                 ///< removal passes, >= 1; swaps come after each
     CoarseNodes nodes = CoarseNodes::nested;
     FitOptions fit;                     ///< for moved nodes
     std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more

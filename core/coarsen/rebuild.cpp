@@ -337,7 +337,8 @@ void swap_to_metric(EditMesh<3>& mesh, const Mesh<3>& built, const MetricField<3
     const RootField<3> root = make_root_field(field);
     SwapOptions swaps = options.swaps;
     swaps.rounds = 8; // Delaunay's elements are farther from the metric than those of local steps
-    swap_bad_elements(mesh, SwapInput<3>{sizes, root, short_size, none, removed}, swaps,
+    EditNotes notes(mesh);
+    swap_bad_elements(mesh, SwapInput<3>{sizes, root, short_size, none, removed, notes}, swaps,
                       options.removal.surface, report.swaps, monitor);
 }
 

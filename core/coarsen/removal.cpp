@@ -33,16 +33,17 @@ public:
 
     /// \return  false where the node is not within the patch
     bool visit_again(NodeId v) {
-        if (mesh_.is_removed(v) || mesh_.node_class(v) == NodeClass::frozen) {
+        // The bounds on couplings grow tighter with every node that leaves: they let none go later.
+        if (mesh_.is_removed(v) || mesh_.node_class(v) == NodeClass::frozen ||
+            !in_.notes.changes.changed_since(v, in_.notes.node_tried[v])) {
             return true;
         }
         if (!may_leave(v)) {
             return false;
         }
-        if (lines_.on_line(v)) {
-            thin_line_again(v);
-        } else {
-            remove_off_line(v, false);
+        const bool gone = lines_.on_line(v) ? thin_line_again(v) : remove_off_line(v, false);
+        if (!gone) {
+            in_.notes.node_tried[v] = in_.notes.changes.now(patch_.lane());
         }
         return true;
     }
@@ -62,12 +63,11 @@ private:
     }
 
     /// In later passes parity is settled; what the first pass could not take may go now.
-    void thin_line_again(NodeId v) {
+    bool thin_line_again(NodeId v) {
         const NodeId a = lines_.previous[v], b = lines_.next[v];
-        if ((a.valid() && too_close(v, a, options_.reach)) ||
-            (b.valid() && too_close(v, b, options_.reach))) {
-            leave_along_line(v);
-        }
+        const bool crowded = (a.valid() && too_close(v, a, options_.reach)) ||
+                             (b.valid() && too_close(v, b, options_.reach));
+        return crowded && leave_along_line(v);
     }
 
     bool leave_along_line(NodeId v) {
@@ -88,6 +88,11 @@ private:
             last = propose(v, w, 0, star_);
             if (last == Verdict::accepted) {
                 commit(v, w);
+                for (const NodeId beside : {lines_.previous[v], lines_.next[v]}) {
+                    if (beside.valid()) {
+                        in_.notes.changes.touch(beside, patch_.lane());
+                    }
+                }
                 lines_.remove(v);
                 return true;
             }
@@ -164,6 +169,7 @@ private:
         const auto slots =
             apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_, patch_.lane());
         in_.removed.move(ball_.elements, slots, patch_.lane());
+        in_.notes.template replaced<D>(slots, star_.elements, mesh_, patch_.lane());
         verdicts_.add(Verdict::accepted);
         const auto neighbours = in_.couplings.neighbours[v];
         const auto values = in_.couplings.at(v);
@@ -253,6 +259,7 @@ struct RemovalPass {
     void open(std::size_t lanes) {
         mesh.open_lanes(lanes);
         input.removed.open_lanes(lanes, mesh.slot_count());
+        input.notes.open_lanes(lanes, mesh.slot_count());
     }
     [[nodiscard]] static int part_of(const Partition& partition, NodeId v) {
         return partition.part[v];

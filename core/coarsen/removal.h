@@ -7,6 +7,7 @@
 #include "core/metric/metric.h"
 #include "core/remesh/collapse.h"
 #include "core/remesh/couplings.h"
+#include "core/remesh/edit_notes.h"
 #include "core/remesh/lines.h"
 #include "core/remesh/partition.h"
 #include "core/remesh/removed_nodes.h"
@@ -41,6 +42,7 @@ struct RemovalInput {
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const IdVector<NodeId, float>& directions; ///< `coarsened_directions`
     RemovedNodes<D>& removed;                  ///< kept up to date
+    EditNotes& notes;                          ///< the same
     std::span<const Partition> partitions{};   ///< for threads; none: the whole mesh in order
 };
 
@@ -64,7 +66,8 @@ void remove_first_pass(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
 
 /// Later passes: nodes that still have a neighbour too close leave onto any that is not far, unless
 /// their other neighbours are far already. (Without the latter, isotropic regions would end with
-/// half the nodes that were asked for: one short edge is found at almost every node.)
+/// half the nodes that were asked for: one short edge is found at almost every node.) A node that
+/// had to stay is looked at again only after an element at it has changed.
 template <int D>
 void remove_again(EditMesh<D>& mesh, Lines& lines, RemovalState& state,
                   const RemovalInput<D>& input, const RemovalOptions& options,

@@ -8,22 +8,21 @@
 namespace ameco {
 namespace {
 
-constexpr std::size_t nodes_per_piece = 8192;
-
 /// Appends the neighbours of `v`, ascending, to `out`.
+/// \param met  of whom each node was met as a neighbour last
 template <int D>
 void append_neighbours(const Mesh<D>& mesh, const NodeElements& ball, NodeId v,
-                       std::vector<NodeId>& out) {
+                       IdVector<NodeId, NodeId>& met, std::vector<NodeId>& out) {
     const auto begin = static_cast<std::ptrdiff_t>(out.size());
     for (const ElementId e : ball[v]) {
         for (const NodeId w : mesh.elements[e]) {
-            if (w != v) {
+            if (w != v && met[w] != v) {
+                met[w] = v;
                 out.push_back(w);
             }
         }
     }
     std::sort(out.begin() + begin, out.end());
-    out.erase(std::unique(out.begin() + begin, out.end()), out.end());
 }
 
 } // namespace
@@ -38,14 +37,17 @@ NodeElements node_elements(const Mesh<D>& mesh) {
 template <int D>
 NodeNodes node_neighbours(const Mesh<D>& mesh, const NodeElements& ball) {
     const std::size_t n = mesh.points.size();
+    // Few pieces: each has an entry for every node.
+    const std::size_t nodes_per_piece = std::max<std::size_t>(8192, (n + 31) / 32);
     std::vector<std::vector<NodeId>> pieces((n + nodes_per_piece - 1) / nodes_per_piece);
     NodeNodes result;
     result.start.assign(n + 1, 0);
     parallel_for(n, nodes_per_piece, [&](std::size_t begin, std::size_t end) {
         std::vector<NodeId>& piece = pieces[begin / nodes_per_piece];
+        IdVector<NodeId, NodeId> met(n);
         for (std::size_t v = begin; v < end; ++v) {
             const std::size_t before = piece.size();
-            append_neighbours(mesh, ball, NodeId(v), piece);
+            append_neighbours(mesh, ball, NodeId(v), met, piece);
             result.start[v + 1] = static_cast<std::int64_t>(piece.size() - before);
         }
     });

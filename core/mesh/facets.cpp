@@ -8,20 +8,41 @@
 namespace ameco {
 namespace {
 
-/// A facet in the bucket of its smallest node. Elements sort before faces.
+/// A facet in the bucket of its smallest node, packed so that two comparisons sort: by the other
+/// nodes, elements before faces, by id.
 template <int D>
 struct Entry {
-    std::array<NodeId, D - 1> others; ///< the other nodes, ascending
-    std::int32_t id = 0;              ///< element or face
-    std::int8_t opposite = 0;         ///< for an element 0 ... D; D + 1 for a face
+    std::uint64_t others = 0; ///< the other nodes, ascending
+    std::uint64_t use = 0;    ///< of an element or, with the highest bit, a face
+
+    static Entry of_element(const Facet<D>& nodes, ElementId e, int opposite) {
+        return {pack(nodes), e.index() << 2 | static_cast<std::uint64_t>(opposite)};
+    }
+    static Entry of_face(const Facet<D>& nodes, FaceId f) {
+        return {pack(nodes), face_bit | f.index()};
+    }
+    [[nodiscard]] bool is_face() const { return (use & face_bit) != 0; }
+    [[nodiscard]] FaceId face() const { return FaceId(use & ~face_bit); }
+    [[nodiscard]] ElementSide side() const {
+        return {ElementId(use >> 2), static_cast<int>(use & 3)};
+    }
+    [[nodiscard]] NodeId other(int i) const {
+        return NodeId(others >> 32 * (D - 2 - i) & 0xffffffff);
+    }
 
     friend bool operator<(const Entry& a, const Entry& b) {
-        if (a.others != b.others) {
-            return a.others < b.others;
+        return a.others != b.others ? a.others < b.others : a.use < b.use;
+    }
+
+private:
+    Entry(std::uint64_t others_, std::uint64_t use_) : others(others_), use(use_) {}
+    static constexpr std::uint64_t face_bit = std::uint64_t{1} << 63;
+    static std::uint64_t pack(const Facet<D>& nodes) {
+        std::uint64_t packed = 0;
+        for (int i = 1; i < D; ++i) {
+            packed = packed << 32 | nodes[i].index();
         }
-        const bool a_is_face = a.opposite > D;
-        const bool b_is_face = b.opposite > D;
-        return a_is_face != b_is_face ? b_is_face : a.id < b.id;
+        return packed;
     }
 };
 
@@ -44,11 +65,7 @@ void append_element(const Simplex<D>& s, ElementId e, NodeId v, std::vector<Entr
                 *end++ = ranked[i].first;
             }
         }
-        Entry<D> entry;
-        std::copy(nodes.begin() + 1, nodes.end(), entry.others.begin());
-        entry.id = e.value();
-        entry.opposite = static_cast<std::int8_t>(ranked[left_out].second);
-        entries.push_back(entry);
+        entries.push_back(Entry<D>::of_element(nodes, e, ranked[left_out].second));
     };
     if (ranked[0].first == v) {
         for (int i = 1; i <= D; ++i) {
@@ -59,16 +76,6 @@ void append_element(const Simplex<D>& s, ElementId e, NodeId v, std::vector<Entr
     }
 }
 
-template <int D>
-void append_face(const Facet<D>& face, FaceId f, std::vector<Entry<D>>& entries) {
-    const Facet<D> nodes = sorted(face);
-    Entry<D> entry;
-    std::copy(nodes.begin() + 1, nodes.end(), entry.others.begin());
-    entry.id = f.value();
-    entry.opposite = D + 1;
-    entries.push_back(entry);
-}
-
 /// Calls `visit` for each run of entries on the same nodes.
 template <int D>
 void visit_runs(NodeId smallest, const std::vector<Entry<D>>& entries,
@@ -77,15 +84,17 @@ void visit_runs(NodeId smallest, const std::vector<Entry<D>>& entries,
     for (std::size_t i = 0; i < entries.size();) {
         FacetUses<D> uses;
         uses.nodes[0] = smallest;
-        std::copy(entries[i].others.begin(), entries[i].others.end(), uses.nodes.begin() + 1);
+        for (int k = 0; k < D - 1; ++k) {
+            uses.nodes[k + 1] = entries[i].other(k);
+        }
         sides.clear();
         faces.clear();
-        const auto& others = entries[i].others;
+        const std::uint64_t others = entries[i].others;
         for (; i < entries.size() && entries[i].others == others; ++i) {
-            if (entries[i].opposite > D) {
-                faces.emplace_back(entries[i].id);
+            if (entries[i].is_face()) {
+                faces.push_back(entries[i].face());
             } else {
-                sides.push_back({ElementId(entries[i].id), entries[i].opposite});
+                sides.push_back(entries[i].side());
             }
         }
         uses.sides = sides;
@@ -131,7 +140,7 @@ void FacetTable<D>::visit(std::size_t begin, std::size_t end,
             append_element<D>(mesh_.elements[e], e, v, entries);
         }
         for (const FaceId f : faces_[v]) {
-            append_face<D>(mesh_.faces[f], f, entries);
+            entries.push_back(Entry<D>::of_face(sorted(mesh_.faces[f]), f));
         }
         std::sort(entries.begin(), entries.end());
         visit_runs<D>(v, entries, sides, faces, visit);

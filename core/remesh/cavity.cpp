@@ -27,9 +27,13 @@ void add_facets_opposite(const EditMesh<D>& mesh, ElementId e, NodeId v, Cavity<
 
 template <int D>
 void add_to_shell(const EditMesh<D>& mesh, ElementId e, NodeId a, NodeId b, Cavity<D>& cavity) {
+    const Simplex<D>& s = mesh.nodes(e);
     cavity.elements.push_back(e);
-    add_facets_opposite(mesh, e, a, cavity);
-    add_facets_opposite(mesh, e, b, cavity);
+    for (const NodeId v : {a, b}) {
+        const auto i = static_cast<int>(std::find(s.begin(), s.end(), v) - s.begin());
+        cavity.facets.push_back(facet_of<D>(s, i));
+    }
+    cavity.inside.insert(cavity.inside.end(), 2, e);
 }
 
 template <int D>
@@ -132,8 +136,8 @@ void join_star(const EditMesh<D>& mesh, const Cavity<D>& cavity, NodeId node, St
     for (std::size_t i = 0; i < cavity.facets.size(); ++i) {
         if (!contains(cavity.facets[i], node)) {
             const EditElement<D>& source = mesh.element(cavity.inside[i]);
-            star.elements.push_back(
-                {join_facet<D>(cavity.facets[i], node, mesh.ghost()), source.label, source.measure});
+            star.elements.push_back({join_facet<D>(cavity.facets[i], node, mesh.ghost()),
+                                     source.label, source.measure});
             star.sources.push_back(cavity.inside[i]);
         }
     }

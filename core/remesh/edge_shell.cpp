@@ -99,13 +99,31 @@ void shell_ring(const EditMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& sh
             continue;
         }
         for (const NodeId v : mesh.nodes(e)) {
-            if (v != a && v != b && v != mesh.ghost()) {
+            if (v != a && v != b && v != mesh.ghost() &&
+                std::find(ring.begin(), ring.end(), v) == ring.end()) {
                 ring.push_back(v);
             }
         }
     }
     std::sort(ring.begin(), ring.end());
-    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+}
+
+template <int D>
+void drop_equal_stars(const EditMesh<D>& mesh, const Cavity<D>& shell, std::vector<NodeId>& ring) {
+    const std::size_t size = shell.elements.size();
+    if (ring.size() != size) { // at the boundary
+        return;
+    }
+    if (size <= D) {
+        ring.resize(1);
+    } else if (D == 3 && size == 4) {
+        const auto is_beside_first = [&](NodeId v) {
+            return std::any_of(shell.elements.begin(), shell.elements.end(), [&](ElementId e) {
+                return has<D>(mesh.nodes(e), ring[0]) && has<D>(mesh.nodes(e), v);
+            });
+        };
+        ring = {ring[0], is_beside_first(ring[1]) ? ring[1] : ring[2]};
+    }
 }
 
 template <int D>
@@ -140,6 +158,7 @@ Verdict judge_swapped_boundary(const EditMesh<D>& mesh, const SurfaceRules& surf
     template Verdict allowed_to_leave(const EditMesh<D>&, NodeId, NodeId, const Cavity<D>&);       \
     template void shell_ring(const EditMesh<D>&, NodeId, NodeId, const Cavity<D>&,                 \
                              std::vector<NodeId>&);                                                \
+    template void drop_equal_stars(const EditMesh<D>&, const Cavity<D>&, std::vector<NodeId>&);    \
     template Verdict judge_swapped_boundary(const EditMesh<D>&, const SurfaceRules&, double,       \
                                             const Cavity<D>&, NodeId, Star<D>&);
 

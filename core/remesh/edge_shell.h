@@ -43,6 +43,12 @@ template <int D>
 void shell_ring(const EditMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell,
                 std::vector<NodeId>& ring);
 
+/// Inside the domain the stars of the smallest shells are the same elements from every node of the
+/// ring, and those of shells of four tetrahedra from opposite ones: leaves one node of each, the
+/// first.
+template <int D>
+void drop_equal_stars(const EditMesh<D>& mesh, const Cavity<D>& shell, std::vector<NodeId>& ring);
+
 /// Judges the boundary faces, if any, in the star of a cavity from `node`, one of its nodes: the
 /// boundary must stay a manifold, and near to what it was.
 /// \param short_size  h_1 at the node [L]

@@ -104,10 +104,14 @@ void EditMesh<D>::fill_balls() {
 
 template <int D>
 void EditMesh<D>::neighbours(NodeId v, std::vector<NodeId>& out) const {
+    // Each is met about six times: among few it is quicker to look for it than to sort them all.
+    constexpr std::size_t few = 64;
     out.clear();
+    const bool look = ball(v).size() <= few;
     for (const ElementId e : ball(v)) {
         for (const NodeId w : elements_[e].nodes) {
-            if (w != v && w != ghost_) {
+            if (w != v && w != ghost_ &&
+                !(look && std::find(out.begin(), out.end(), w) != out.end())) {
                 out.push_back(w);
             }
         }

@@ -169,6 +169,16 @@ private:
     Features features_; ///< of the mesh this was made from
 };
 
+/// Corners of an element of a mesh that is edited, or of one that may come.
+template <int D>
+[[nodiscard]] std::array<Vec<D>, D + 1> corners_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
+    std::array<Vec<D>, D + 1> x;
+    for (int i = 0; i <= D; ++i) {
+        x[i] = mesh.point(s[i]);
+    }
+    return x;
+}
+
 /// Ghost element of a boundary face whose normal points outwards.
 template <int D>
 [[nodiscard]] Simplex<D> ghost_simplex(const Facet<D>& face, NodeId ghost) {

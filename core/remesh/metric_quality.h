@@ -3,7 +3,7 @@
 /// The paper's quality of an element in a metric (sections 4.2 and 4.4), for elements being edited.
 #pragma once
 
-#include "core/metric/metric.h"
+#include "core/metric/element_measures.h"
 #include "core/remesh/edit_mesh.h"
 
 #include <array>
@@ -23,18 +23,6 @@ inline constexpr std::array all_qualities{Quality::shape, Quality::original, Qua
 
 [[nodiscard]] std::string_view name(Quality quality);
 [[nodiscard]] std::optional<Quality> quality_from_name(std::string_view name);
-
-/// S = M^(-1/2) at every node, components as in Tensor [L]: what the metric of an element is the
-/// mean of.
-template <int D>
-using RootField = IdVector<NodeId, Tensor<D>>;
-
-/// S = V diag(h) V^T of one metric, upper triangle by rows [L].
-template <int D>
-[[nodiscard]] Tensor<D> root_of(const Metric<D>& metric);
-
-template <int D>
-[[nodiscard]] RootField<D> make_root_field(const MetricField<D>& target);
 
 /// Qualities of an element that has the corners x in a metric M = S^-2, all in [0, 1].
 ///
@@ -56,5 +44,11 @@ template <int D>
 template <int D>
 [[nodiscard]] double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root,
                                     const Simplex<D>& element, Quality quality = Quality::original);
+
+/// The same for the original quality where it is above `least`, else something that is not; most
+/// elements that are not are told by their volume alone.
+template <int D>
+[[nodiscard]] double metric_quality_above(const EditMesh<D>& mesh, const RootField<D>& root,
+                                          const Simplex<D>& element, double least);
 
 } // namespace ameco

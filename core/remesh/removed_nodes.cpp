@@ -18,13 +18,6 @@ constexpr double negligible_weight = 1e-9;
 /// Least conductance between two nodes, over a_vv.
 constexpr double least_conductance = 0.02;
 
-template <int D>
-std::array<Vec<D>, D + 1> corners_of(const EditMesh<D>& mesh, const Simplex<D>& s) {
-    std::array<Vec<D>, D + 1> x;
-    std::transform(s.begin(), s.end(), x.begin(), [&](NodeId v) { return mesh.point(v); });
-    return x;
-}
-
 } // namespace
 
 double interpolation_constant(const Couplings& couplings, NodeId v, std::span<const NodeId> nodes,

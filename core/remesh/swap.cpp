@@ -5,40 +5,29 @@
 #include "core/remesh/patch_work.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace ameco {
 namespace {
-
-/// What is known of each element, by slot.
-struct ElementNotes {
-    std::vector<std::uint8_t> tried; ///< no swap was found, and all around is as it was then
-    std::vector<float> quality;      ///< negative while not known
-
-    void resize(std::size_t slots) {
-        tried.resize(slots, 0);
-        quality.resize(slots, -1);
-    }
-};
 
 /// The rules of swaps while a mesh is coarsened.
 template <int D>
 class CoarseningRules {
 public:
     CoarseningRules(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
-                    ElementNotes& notes, std::size_t lane)
-        : mesh_(mesh), in_(input), options_(options), notes_(notes), lane_(lane),
-          in_star_(mesh.node_count(), 0) {}
+                    std::size_t lane)
+        : mesh_(mesh), in_(input), options_(options), lane_(lane) {}
 
     /// Computed once until the element changes.
     double quality(ElementId e) {
-        float& known = notes_.quality[e.index()];
+        float& known = in_.notes.quality[e.index()];
         if (known < 0) {
-            known = static_cast<float>(quality(mesh_.nodes(e)));
+            known = static_cast<float>(metric_quality(mesh_, in_.root, mesh_.nodes(e)));
         }
         return static_cast<double>(known);
     }
-    double quality(const Simplex<D>& s) const { return metric_quality(mesh_, in_.root, s); }
+    double quality(const Simplex<D>& s, double least) const {
+        return metric_quality_above(mesh_, in_.root, s, least);
+    }
     double short_size(NodeId v) const { return static_cast<double>(in_.short_size[v]); }
 
     void look_at(const Cavity<D>& cavity) {
@@ -71,7 +60,7 @@ public:
         (void)in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_);
         const auto slots = mesh_.replace(cavity.elements, star.elements, star.sources, lane_);
         in_.removed.move(cavity.elements, slots, lane_);
-        forget(star, slots);
+        in_.notes.template replaced<D>(slots, star.elements, mesh_, lane_);
     }
 
 private:
@@ -79,53 +68,12 @@ private:
         return s[D] != mesh_.ghost() && is_lineless<D>(in_.lines, s) ? 1 : 0;
     }
 
-    /// After a change: qualities of the new elements are not known, and what failed at elements that
-    /// share an edge with one of them may succeed now.
-    void forget(const Star<D>& star, std::span<const ElementId> slots) {
-        notes_.resize(mesh_.slot_count());
-        for (const ElementId e : slots) {
-            notes_.quality[e.index()] = -1;
-        }
-        nodes_.clear();
-        for (const EditElement<D>& fresh : star.elements) {
-            for (const NodeId v : fresh.nodes) {
-                if (v != mesh_.ghost() && in_star_[v] == 0) {
-                    in_star_[v] = 1;
-                    nodes_.push_back(v);
-                }
-            }
-        }
-        for (const NodeId v : nodes_) {
-            for (const ElementId e : mesh_.ball(v)) {
-                if (shares_an_edge(mesh_.nodes(e))) {
-                    // Elements between parts may be forgotten by two threads at a time.
-                    std::atomic_ref(notes_.tried[e.index()]).store(0, std::memory_order_relaxed);
-                }
-            }
-        }
-        for (const NodeId v : nodes_) {
-            in_star_[v] = 0;
-        }
-    }
-
-    /// Whether two of an element's nodes are among those marked.
-    bool shares_an_edge(const Simplex<D>& s) const {
-        int marked = s[D] == mesh_.ghost() ? 0 : in_star_[s[D]];
-        for (int i = 0; i < D; ++i) {
-            marked += in_star_[s[i]];
-        }
-        return marked >= 2;
-    }
-
     EditMesh<D>& mesh_;
     const SwapInput<D>& in_;
     const SwapOptions& options_;
     double size_before_ = 1;
     int lineless_before_ = 0;
-    ElementNotes& notes_;
     std::size_t lane_; ///< of the mesh
-    std::vector<NodeId> nodes_;
-    NodeMarks in_star_; ///< of nodes_, while elements around them are forgotten
 };
 
 /// Mends elements of low quality within a patch.
@@ -133,16 +81,15 @@ template <int D>
 class Mender {
 public:
     Mender(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
-           const SurfaceRules& surface, ElementNotes& notes, const Patch& patch,
-           VerdictCounts& verdicts)
-        : mesh_(mesh), options_(options), notes_(notes), patch_(patch),
-          rules_(mesh, input, options, notes, patch.lane()),
+           const SurfaceRules& surface, const Patch& patch, VerdictCounts& verdicts)
+        : mesh_(mesh), options_(options), notes_(input.notes), patch_(patch),
+          rules_(mesh, input, options, patch.lane()),
           search_(mesh, rules_, options, surface, verdicts) {}
 
     /// \return  false where the element is not within the patch
     bool operator()(ElementId e) {
-        if (mesh_.is_free(e) || mesh_.is_ghost(e) || notes_.tried[e.index()] != 0 ||
-            rules_.quality(e) >= options_.below) {
+        if (mesh_.is_free(e) || mesh_.is_ghost(e) || rules_.quality(e) >= options_.below ||
+            !notes_.changes.edge_changed_since(mesh_.nodes(e), notes_.element_tried[e.index()])) {
             return true; // after changes beside it
         }
         around_.find(mesh_, e);
@@ -150,7 +97,7 @@ public:
             return false;
         }
         if (!search_.mend(e, around_)) {
-            notes_.tried[e.index()] = 1;
+            notes_.element_tried[e.index()] = notes_.changes.now(patch_.lane());
         }
         return true;
     }
@@ -178,7 +125,7 @@ private:
 
     EditMesh<D>& mesh_;
     const SwapOptions& options_;
-    ElementNotes& notes_;
+    EditNotes& notes_;
     const Patch patch_;
     CoarseningRules<D> rules_;
     SwapSearch<D, CoarseningRules<D>> search_;
@@ -192,11 +139,11 @@ struct SwapRound {
     const SwapInput<D>& input;
     const SwapOptions& options;
     const SurfaceRules& surface;
-    ElementNotes& notes;
 
     void open(std::size_t lanes) {
         mesh.open_lanes(lanes);
         input.removed.open_lanes(lanes, mesh.slot_count());
+        input.notes.open_lanes(lanes, mesh.slot_count());
     }
     [[nodiscard]] int part_of(const Partition& partition, ElementId e) const {
         if (mesh.is_free(e) || mesh.is_ghost(e)) {
@@ -209,7 +156,7 @@ struct SwapRound {
         return same ? part : -1;
     }
     [[nodiscard]] Mender<D> worker(const Patch& patch, VerdictCounts& counts) {
-        return {mesh, input, options, surface, notes, patch, counts};
+        return {mesh, input, options, surface, patch, counts};
     }
 };
 
@@ -218,16 +165,17 @@ struct SwapRound {
 /// dealing them out would cost more than that brings.
 template <int D>
 std::vector<ElementId> elements_to_try(EditMesh<D>& mesh, const SwapInput<D>& input,
-                                       const SwapOptions& options, ElementNotes& notes) {
+                                       const SwapOptions& options) {
     constexpr std::size_t slots_per_piece = 16384;
     std::vector<std::vector<ElementId>> pieces(mesh.slot_count() / slots_per_piece + 1);
     parallel_for(mesh.slot_count(), slots_per_piece, [&](std::size_t begin, std::size_t end) {
-        CoarseningRules<D> rules(mesh, input, options, notes, 0);
+        CoarseningRules<D> rules(mesh, input, options, 0);
         for (std::size_t i = begin; i < end; ++i) {
             const ElementId e(i);
             if (input.partitions.empty() ||
-                (!mesh.is_free(e) && !mesh.is_ghost(e) && notes.tried[i] == 0 &&
-                 rules.quality(e) < options.below)) {
+                (!mesh.is_free(e) && !mesh.is_ghost(e) && rules.quality(e) < options.below &&
+                 input.notes.changes.edge_changed_since(mesh.nodes(e),
+                                                        input.notes.element_tried[i]))) {
                 pieces[begin / slots_per_piece].push_back(e);
             }
         }
@@ -259,15 +207,13 @@ bool is_lineless(const Lines& lines, const Simplex<D>& element) {
 template <int D>
 void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                        const SurfaceRules& surface, VerdictCounts& verdicts, Monitor& monitor) {
-    ElementNotes notes;
     for (int round = 0; round < options.rounds; ++round) {
-        notes.resize(mesh.slot_count());
         const std::int64_t before = verdicts[Verdict::accepted];
-        SwapRound<D> work{mesh, input, options, surface, notes};
+        SwapRound<D> work{mesh, input, options, surface};
         MonitorPart part(monitor, static_cast<double>(round) / options.rounds,
                          (round + 1.0) / options.rounds);
-        work_in_patches(elements_to_try(mesh, input, options, notes), input.partitions, work,
-                        verdicts, "swapping", part);
+        work_in_patches(elements_to_try(mesh, input, options), input.partitions, work, verdicts,
+                        "swapping", part);
         if (verdicts[Verdict::accepted] == before || monitor.stop_requested()) {
             break;
         }

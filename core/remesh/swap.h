@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/monitor.h"
+#include "core/remesh/edit_notes.h"
 #include "core/remesh/lines.h"
 #include "core/remesh/metric_quality.h"
 #include "core/remesh/partition.h"
@@ -20,11 +21,12 @@ struct SwapInput {
     const IdVector<NodeId, float>& short_size; ///< natural h_1 [L]
     const Lines& lines;
     RemovedNodes<D>& removed;
+    EditNotes& notes;                        ///< kept up to date
     std::span<const Partition> partitions{}; ///< for threads; none: the whole mesh in order
 };
 
 /// Swaps around elements of low quality `metric_quality`, best proposal first, round by round. An
-/// element is tried again only after something next to it has changed.
+/// element is tried again only after an element at one of its edges may have changed.
 ///
 /// No swap may raise the number of layer elements without an edge along a line (all nodes on lines,
 /// none linked): such elements couple columns diagonally, and multigrid diverges on them.

@@ -27,7 +27,8 @@ struct SwapOptions {
 /// Rules say what quality is and what else is asked of a swap:
 ///
 ///     double quality(ElementId e);                    // of an element as it stands
-///     double quality(const Simplex<D>& s);            // of one that may come
+///     double quality(const Simplex<D>& s, double least); // of one that may come: exact only
+///                                                        // where it is above `least`
 ///     void look_at(const Cavity<D>&);                 // before its stars are judged
 ///     Verdict judge(const Cavity<D>&, Star<D>&);      // once the worst quality is good enough
 ///     double short_size(NodeId v);                    // for the rules of the boundary [L]
@@ -79,6 +80,7 @@ private:
             return;
         }
         shell_ring(mesh_, a, b, cavity_, ring_);
+        drop_equal_stars(mesh_, cavity_, ring_);
         try_stars(ring_);
     }
 
@@ -136,7 +138,7 @@ private:
             if (std::find(facet.begin(), facet.end(), node) == facet.end()) {
                 const Simplex<D> joined = join_facet<D>(facet, node, mesh_.ghost());
                 if (joined[D] != mesh_.ghost()) {
-                    worst = std::min(worst, rules_.quality(joined));
+                    worst = std::min(worst, rules_.quality(joined, needed));
                     if (worst <= needed) {
                         return Verdict::no_improvement;
                     }

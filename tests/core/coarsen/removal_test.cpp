@@ -38,8 +38,8 @@ struct Setting {
     }
 
     [[nodiscard]] RemovalInput<D> input() {
-        return {front.order,   couplings,  sizes,      natural_factor,
-                target_factor, short_size, directions, removed};
+        return {front.order, couplings,  sizes,   natural_factor, target_factor,
+                short_size,  directions, removed, notes};
     }
 
     const Mesh<D>& mesh;
@@ -53,6 +53,7 @@ struct Setting {
     IdVector<NodeId, Mat<D>> natural_factor, target_factor;
     IdVector<NodeId, float> short_size;
     EditMesh<D> edited;
+    EditNotes notes{edited};
     IdVector<NodeId, float> directions;
     RemovedNodes<D> removed;
     RemovalState state;

@@ -82,7 +82,7 @@ class RandomRules {
 public:
     RandomRules(EditMesh<D>& mesh, std::uint64_t seed) : mesh_(mesh), seed_(seed) {}
     double quality(ElementId /*e*/) const { return 1e-3; }
-    double quality(const Simplex<D>& s) const {
+    double quality(const Simplex<D>& s, double /*least*/) const {
         std::uint64_t h = seed_;
         for (const NodeId v : sorted(s)) {
             h = mix({h, v.index()});

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <set>
+
 using namespace ameco;
 using namespace ameco::remesh_test;
 
@@ -46,6 +48,42 @@ private slots:
             (expected ? outside : inside) += 1;
         });
         QVERIFY(inside > 0 && outside > 0);
+    }
+
+    void stars_that_are_dropped_are_those_of_a_node_that_stays() {
+        const Workbench<3> bench(make_cube<3>({.n = 4}));
+        const auto elements_from = [&](const Cavity<3>& shell, NodeId node) {
+            Star<3> star;
+            join_star(bench.edit, shell, node, star);
+            std::set<Simplex<3>> elements;
+            for (const EditElement<3>& e : star.elements) {
+                elements.insert(sorted(e.nodes));
+            }
+            return elements;
+        };
+        int dropped = 0, all_stay = 0;
+        for_each_edge(bench, [&](NodeId a, NodeId b, const Cavity<3>& shell) {
+            std::vector<NodeId> ring;
+            shell_ring(bench.edit, a, b, shell, ring);
+            std::vector<NodeId> left = ring;
+            drop_equal_stars(bench.edit, shell, left);
+            QVERIFY(std::includes(ring.begin(), ring.end(), left.begin(), left.end()));
+            std::set<std::set<Simplex<3>>> stars, of_left;
+            for (const NodeId v : ring) {
+                stars.insert(elements_from(shell, v));
+            }
+            for (const NodeId v : left) {
+                of_left.insert(elements_from(shell, v));
+            }
+            if (!at_boundary(bench.edit, shell)) {
+                QCOMPARE(of_left, stars);
+                QCOMPARE(left.size(), stars.size());
+            } else {
+                QCOMPARE(left, ring);
+            }
+            (left.size() < ring.size() ? dropped : all_stay) += 1;
+        });
+        QVERIFY(dropped > 0 && all_stay > 0);
     }
 
     void the_ring_goes_once_around_the_edge() {

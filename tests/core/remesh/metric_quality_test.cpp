@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/metric_quality.h"
 
+#include "core/cases/cube.h"
 #include "core/metric/element_metric.h"
 #include "tests/core/metric/reference.h"
 #include "tests/core/remesh/remesh_support.h"
@@ -130,6 +131,36 @@ void rate_in_own_metric() {
 }
 
 template <int D>
+void compare_bounded() {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Mesh<D> mesh = make_cube<D>({.n = 1});
+    const MetricField<D> field = nodal_metric(mesh);
+    const RootField<D> root = make_root_field(field);
+    const EditMesh<D> edit(mesh, classify_geometry(mesh));
+    int above = 0, by_volume = 0;
+    for (int n = 0; n < 2000; ++n) {
+        Simplex<D> s; // any nodes, in any order: large ones, flat ones and inverted ones
+        for (NodeId& v : s) {
+            v = NodeId(
+                std::uniform_int_distribution<std::size_t>(0, mesh.points.size() - 1)(random));
+        }
+        const double q = metric_quality<D>(edit, root, s);
+        const double least = std::pow(10, 4 * uniform(random) - 4);
+        const double bounded = metric_quality_above<D>(edit, root, s, least);
+        if (q > least) {
+            QCOMPARE(bounded, q);
+            ++above;
+        } else {
+            QCOMPARE_LE(bounded, least);
+            by_volume += bounded > q;
+        }
+    }
+    QCOMPARE_GT(above, 50);
+    QCOMPARE_GT(by_volume, 5);
+}
+
+template <int D>
 void compare_with_eigenvalues() {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0.5, 2);
@@ -215,6 +246,10 @@ void stretch_at_constant_mean() {
 class MetricQualityTest : public QObject {
     Q_OBJECT
 private slots:
+    void bounded_is_exact_above_the_bound_and_not_above_it_otherwise() {
+        compare_bounded<2>();
+        compare_bounded<3>();
+    }
     void is_one_for_the_asked_size_and_falls_with_size_and_shape();
     void is_one_for_stretched_elements_in_their_own_metric();
     void agrees_with_eigenvalues_and_does_not_see_rotations();

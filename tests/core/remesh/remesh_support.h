@@ -8,6 +8,7 @@
 #include "core/mesh/check.h"
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/cavity.h"
+#include "core/remesh/edit_notes.h"
 #include "core/remesh/metric_quality.h"
 #include "core/remesh/removed_nodes.h"
 #include "tests/support/shapes.h"
@@ -48,6 +49,7 @@ struct Workbench {
     RemovedNodes<D> removed{no_couplings, {}}; ///< none
     IdVector<NodeId, float> short_size;
     EditMesh<D> edit;
+    EditNotes notes{edit};
 
     Workbench(const Mesh<D>& m, const MetricField<D>& field, const FeatureOptions& features = {})
         : mesh(m), classes(classify_geometry(m, features)), metric(field),

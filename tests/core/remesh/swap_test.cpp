@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include <numeric>
+
 using namespace ameco;
 using namespace ameco::remesh_test;
 using shapes::nodes;
@@ -65,9 +67,9 @@ std::int64_t swap_and_verify(Workbench<D>& bench, const Lines& lines) {
     const Extent extent_before = extent(bench.edit.compact().mesh);
     const Look<D> before = look_at(bench, lines);
     VerdictCounts verdicts;
-    swap_bad_elements<D>(bench.edit,
-                         {bench.sizes, bench.root, bench.short_size, lines, bench.removed},
-                         {.below = 0.9, .size_floor = 0}, plane_sides, verdicts);
+    swap_bad_elements<D>(
+        bench.edit, {bench.sizes, bench.root, bench.short_size, lines, bench.removed, bench.notes},
+        {.below = 0.9, .size_floor = 0}, plane_sides, verdicts);
     const Look<D> after = look_at(bench, lines);
     const auto compact = bench.edit.compact();
     const CheckReport report = check(compact.mesh);
@@ -187,6 +189,7 @@ private slots:
     void leaves_required_faces_and_elements();
     void leaves_region_borders();
     void leaves_listed_edges_inside_the_domain();
+    void tries_an_element_again_only_when_one_beside_it_has_changed();
     void does_nothing_to_a_good_mesh();
     void names_elements_off_the_lines();
 };
@@ -349,13 +352,44 @@ void SwapTest::leaves_listed_edges_inside_the_domain() {
     QCOMPARE(listed.edit.compact().mesh.features.edges.size(), std::size_t{1});
 }
 
+void SwapTest::tries_an_element_again_only_when_one_beside_it_has_changed() {
+    Workbench<3> bench(make_cube<3>({.n = 4}));
+    const Lines lines = no_lines(bench.mesh.points.size());
+    const SwapInput<3> input{bench.sizes, bench.root,    bench.short_size,
+                             lines,       bench.removed, bench.notes};
+    const SwapOptions options{.below = 0.9, .size_floor = 0, .rounds = 20};
+    const auto tries = [&] {
+        VerdictCounts verdicts;
+        swap_bad_elements<3>(bench.edit, input, options, plane_sides, verdicts);
+        return std::accumulate(verdicts.counts.begin(), verdicts.counts.end(), std::int64_t{0});
+    };
+    QVERIFY(tries() > 100);
+    QCOMPARE(tries(), 0); // all that is bad has failed, and is as it was
+    const ElementId bad = [&] {
+        for (std::size_t i = 0; i < bench.edit.slot_count(); ++i) {
+            const ElementId e(i);
+            if (!bench.edit.is_free(e) && !bench.edit.is_ghost(e) &&
+                metric_quality(bench.edit, bench.root, bench.edit.nodes(e)) < options.below) {
+                return e;
+            }
+        }
+        return ElementId();
+    }();
+    QVERIFY(bad.valid());
+    bench.notes.changes.touch(bench.edit.nodes(bad)[0]);
+    QCOMPARE(tries(), 0); // one node says that a neighbour has changed beyond it
+    bench.notes.changes.touch(bench.edit.nodes(bad)[1]);
+    QVERIFY(tries() > 0);
+    QCOMPARE(tries(), 0);
+}
+
 void SwapTest::does_nothing_to_a_good_mesh() {
     Workbench<2> bench(shapes::single_triangle());
     VerdictCounts verdicts;
     const Lines lines = no_lines(3);
-    swap_bad_elements<2>(bench.edit,
-                         {bench.sizes, bench.root, bench.short_size, lines, bench.removed}, {},
-                         plane_sides, verdicts);
+    swap_bad_elements<2>(
+        bench.edit, {bench.sizes, bench.root, bench.short_size, lines, bench.removed, bench.notes},
+        {}, plane_sides, verdicts);
     for (const std::int64_t count : verdicts.counts) {
         QCOMPARE(count, 0);
     }
