@@ -4,8 +4,10 @@
 #include "core/io/io.h"
 
 #include <sys/resource.h>
+#include <sys/wait.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
@@ -46,11 +48,12 @@ PeerRun run_peer(const Peer& peer, const Mesh<3>& mesh, const MetricField<3>& fi
                                 std::to_string(limit) + " && exec " + peer.program + " " +
                                 peer.arguments + " > out.txt 2>&1";
     const double begin = child_seconds();
-    const bool ended = std::system(command.c_str()) == 0;
+    const int status = std::system(command.c_str());
     PeerRun run;
     run.seconds = child_seconds() - begin;
-    run.stopped = !ended && run.seconds > most_seconds - 1;
-    if (ended && fs::exists(folder / "out.meshb")) {
+    run.stopped =
+        WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGXCPU);
+    if (status == 0 && fs::exists(folder / "out.meshb")) {
         run.mesh = std::get<Mesh<3>>(read_mesh(folder / "out.meshb").mesh);
     }
     return run;
