@@ -115,7 +115,7 @@ template <int D>
 void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptReport& report,
                 Monitor& monitor) {
     int since = 0;
-    SurfaceDistance<D> surface;
+    BoundaryDistance<D> surface;
     for (int n = 0; n < most; ++n) {
         monitor.progress(static_cast<double>(n) / most, "adapting");
         stop_if_asked(monitor);

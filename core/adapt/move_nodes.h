@@ -14,9 +14,9 @@ struct MoveOptions {
     double gain = 1.002;     ///< the harmonic mean of the qualities must grow by this factor [-]
     int halvings = 3;        ///< of a step that is refused
     double farthest = 1e300; ///< from a node's first place in the UnitMesh, in the metric [-]
-    /// Under which nodes of curved patches, and of curved lines between two patches, move on the
-    /// original surface; none: they stay.
-    std::optional<SurfaceRules> curved = {};
+    std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
+                                             ///< between two, which move on the original
+                                             ///< surface; none: they stay
 };
 
 /// Moves one node, as `move_nodes` does.

@@ -87,7 +87,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);
     RemovalState state(mesh.node_count());
-    SurfaceDistance<D> surface;
+    BoundaryDistance<D> surface;
     for (int pass = 0; pass < options.passes; ++pass) {
         const double begin = static_cast<double>(pass) / options.passes;
         MonitorPart part(monitor, begin, begin + 0.6 / options.passes);

@@ -28,7 +28,7 @@ void fit_level(const Mesh<D>& fine, const MetricField<D>& target, const CoarsenO
         stop_if_asked(monitor);
         since = now;
     }
-    SurfaceDistance<D>().measure(unit.edit);
+    BoundaryDistance<D>().measure(unit.edit);
     auto compact = unit.edit.compact();
     coarse.mesh = std::move(compact.mesh);
     coarse.geometry = std::move(compact.classes);

@@ -379,7 +379,7 @@ Built build(const Level<3>& fine, const MetricField<3>& target, const Thinned& t
         if (left.empty()) {
             MonitorPart swapping(monitor, 0.5, 1);
             swap_to_metric(edited, mesh, field, sizes, options, report, swapping);
-            SurfaceDistance<3>().measure(edited);
+            BoundaryDistance<3>().measure(edited);
             return {edited.compact(), std::move(skeleton.parent)};
         }
         for (const NodeId v : hindrances(edited, left, given)) {

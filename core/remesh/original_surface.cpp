@@ -94,7 +94,7 @@ double distance_to_original(const std::array<Vec<D>, D>& corners, int patch,
 }
 
 template <int D>
-auto SurfaceDistance<D>::moved_patches(const EditMesh<D>& mesh) -> Patches {
+auto BoundaryDistance<D>::moved_patches(const EditMesh<D>& mesh) -> Patches {
     Patches patches;
     const auto visit_ghosts = [&](const auto& visit) {
         for (std::size_t i = 0; i < mesh.slot_count(); ++i) {
@@ -129,14 +129,14 @@ auto SurfaceDistance<D>::moved_patches(const EditMesh<D>& mesh) -> Patches {
 }
 
 template <int D>
-auto SurfaceDistance<D>::find(Patch& patch, ElementId ghost) -> Face* {
+auto BoundaryDistance<D>::find(Patch& patch, ElementId ghost) -> Face* {
     const auto at = std::lower_bound(patch.faces.begin(), patch.faces.end(), ghost,
                                      [](const Face& f, ElementId e) { return f.ghost < e; });
     return at != patch.faces.end() && at->ghost == ghost ? &*at : nullptr;
 }
 
 template <int D>
-void SurfaceDistance<D>::measure_faces(const EditMesh<D>& mesh, const OriginalSurface<D>& original,
+void BoundaryDistance<D>::measure_faces(const EditMesh<D>& mesh, const OriginalSurface<D>& original,
                                        int number, Patch& before, Patch& patch) {
     parallel_for(patch.faces.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -153,7 +153,7 @@ void SurfaceDistance<D>::measure_faces(const EditMesh<D>& mesh, const OriginalSu
 }
 
 template <int D>
-void SurfaceDistance<D>::attach_nodes(const OriginalSurface<D>& original, int number,
+void BoundaryDistance<D>::attach_nodes(const OriginalSurface<D>& original, int number,
                                       Patch& patch) {
     std::vector<Box<D>> boxes(patch.faces.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -189,7 +189,7 @@ void SurfaceDistance<D>::attach_nodes(const OriginalSurface<D>& original, int nu
 }
 
 template <int D>
-void SurfaceDistance<D>::measure(EditMesh<D>& mesh) {
+void BoundaryDistance<D>::measure(EditMesh<D>& mesh) {
     const OriginalSurface<D>* original = mesh.original_surface();
     if (original == nullptr) {
         return;
@@ -211,7 +211,7 @@ void SurfaceDistance<D>::measure(EditMesh<D>& mesh) {
     template class OriginalSurface<D>;                                                             \
     template double distance_to_original<D>(const std::array<Vec<D>, D>&, int,                     \
                                             const OriginalSurface<D>&);                            \
-    template class SurfaceDistance<D>;
+    template class BoundaryDistance<D>;
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

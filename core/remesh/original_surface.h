@@ -49,7 +49,7 @@ template <int D>
 /// operations that follow. Only what they have changed is measured again, as long as the same
 /// object is asked.
 template <int D>
-class SurfaceDistance {
+class BoundaryDistance {
 public:
     /// Does nothing where no patch has moved, or the original surface is not known. The result does
     /// not depend on the number of threads.

@@ -64,7 +64,7 @@ template <int D>
 void measure_often(const Mesh<D>& mesh) {
     Workbench<D> bench(mesh);
     std::mt19937 random(3);
-    SurfaceDistance<D> again;
+    BoundaryDistance<D> again;
     bool less = false;
     for (int pass = 0; pass < 5; ++pass) {
         collapse_some(bench, random, 200);
@@ -80,7 +80,7 @@ void measure_often(const Mesh<D>& mesh) {
         less = less || bounds.sum < 0.8 * summed;
 
         EditMesh<D> copy(now.mesh, now.classes);
-        SurfaceDistance<D>().measure(copy);
+        BoundaryDistance<D>().measure(copy);
         // Attached nodes are those of the nearest faces now, which are at most as far away.
         QCOMPARE_LE(bounds_of(copy.compact().classes).largest, bounds.largest * (1 + 1e-6));
     }
@@ -101,7 +101,7 @@ private slots:
         Workbench<3> bench(shapes::cube(4));
         std::mt19937 random(1);
         collapse_some(bench, random, 200);
-        SurfaceDistance<3>().measure(bench.edit);
+        BoundaryDistance<3>().measure(bench.edit);
         QCOMPARE_LE(bounds_of(bench.edit.compact().classes).largest, 1e-15);
     }
 
@@ -111,7 +111,7 @@ private slots:
             set_thread_count(k == 0 ? 1 : 3);
             Workbench<3> bench(ball_of(8));
             std::mt19937 random(2);
-            SurfaceDistance<3> distance;
+            BoundaryDistance<3> distance;
             for (int pass = 0; pass < 2; ++pass) {
                 collapse_some(bench, random, 300);
                 distance.measure(bench.edit);
@@ -129,7 +129,7 @@ private slots:
         classes.original.reset();
         classes.deviation.assign(bench.mesh.faces.size(), 0.5);
         EditMesh<2> mesh(bench.mesh, classes);
-        SurfaceDistance<2>().measure(mesh);
+        BoundaryDistance<2>().measure(mesh);
         QCOMPARE(mesh.compact().classes.deviation.raw(), classes.deviation.raw());
     }
 };
