@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/metric/expected_nodes.h"
 #include "core/metric/nodal_metric.h"
+#include "core/remesh/original_surface.h"
 
 #include <array>
 #include <cmath>
@@ -69,7 +70,11 @@ AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, Ad
     }
     pass.nodes = count_nodes(mesh.edit);
     if (!options.node_nested) {
-        pass.moves = move_nodes(mesh, options.move, since, report.moves, monitor);
+        MoveOptions move = options.move;
+        if (options.move_curved) {
+            move.curved = options.surface;
+        }
+        pass.moves = move_nodes(mesh, move, since, report.moves, monitor);
     }
     return pass;
 }
@@ -110,6 +115,7 @@ template <int D>
 void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptReport& report,
                 Monitor& monitor) {
     int since = 0;
+    BoundaryDistance<D> surface;
     for (int n = 0; n < most; ++n) {
         monitor.progress(static_cast<double>(n) / most, "adapting");
         stop_if_asked(monitor);
@@ -118,6 +124,7 @@ void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptR
         report.passes.push_back(mtc ? run_sweep(mesh, options, since, report, monitor)
                                     : run_pass(mesh, options, since, report, monitor));
         stop_if_asked(monitor); // what was done last may have been cut short
+        surface.measure(mesh.edit);
         const AdaptPass& pass = report.passes.back();
         since = now;
         const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;

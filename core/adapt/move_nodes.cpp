@@ -2,9 +2,11 @@
 #include "core/adapt/move_nodes.h"
 
 #include "core/geometry/predicates.h"
+#include "core/remesh/original_surface.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -14,15 +16,23 @@ namespace {
 /// Turn below which faces count as one plane, and edges as one line.
 constexpr double flat = 1e-10;
 
-Vec<2> face_normal(const EditMesh<2>& mesh, const Facet<2>& f) {
-    const Vec<2> t = mesh.point(f[1]) - mesh.point(f[0]);
+Vec<2> face_normal(const std::array<Vec<2>, 2>& x) {
+    const Vec<2> t = x[1] - x[0];
     return Vec<2>(t[1], -t[0]).normalized();
 }
 
-Vec<3> face_normal(const EditMesh<3>& mesh, const Facet<3>& f) {
-    const Vec<3>& a = mesh.point(f[0]);
-    return (mesh.point(f[1]) - a).cross(mesh.point(f[2]) - a).normalized();
+Vec<3> face_normal(const std::array<Vec<3>, 3>& x) {
+    return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
 }
+
+/// Where a node may go.
+enum class Room {
+    domain,  ///< anywhere
+    plane,   ///< in the plane or on the line of its neighbours
+    surface, ///< on its patch of the original surface
+    curve,   ///< on the original curve between its two patches
+    none
+};
 
 template <int D>
 class Mover {
@@ -30,14 +40,15 @@ public:
     Mover(UnitMesh<D>& mesh, const MoveOptions& options) : mesh_(mesh), options_(options) {}
 
     Verdict move(NodeId v) {
-        if (!collect_guides(v)) {
+        collect_guides(v);
+        if (room_ == Room::none) {
             return Verdict::geometry_class;
         }
         before_ = measure_ball(v);
         if (before_.worst >= options_.below) {
             return Verdict::no_improvement;
         }
-        if (mesh_.edit.node_class(v) == NodeClass::interior && search(v, towards_regular(v))) {
+        if (room_ == Room::domain && search(v, towards_regular(v))) {
             return Verdict::accepted;
         }
         return search(v, towards_unit(v)) ? Verdict::accepted : Verdict::no_improvement;
@@ -48,8 +59,11 @@ private:
         const auto old = mesh_.state(v);
         double share = 1;
         for (int k = 0; k <= options_.halvings; ++k, share /= 2) {
-            Vec<D> p = old.point + share * step;
-            hold_common_coordinates(v, old.point, p);
+            const std::optional<Vec<D>> place = place_at(old.point, share * step);
+            if (!place) {
+                continue;
+            }
+            const Vec<D>& p = *place;
             if (p == old.point) {
                 break;
             }
@@ -57,7 +71,7 @@ private:
                 continue;
             }
             mesh_.move_node(v, p);
-            if (is_better(v)) {
+            if (is_better(v) && keeps_surface(v)) {
                 store(v);
                 return true;
             }
@@ -125,12 +139,14 @@ private:
         m.inverse_sum += 1 / std::max(quality, 1e-30);
     }
 
-    /// The neighbours a node may move among: all inside the domain (as often as they share
-    /// elements with it), those of the plane on a planar patch, the two of the line on a ridge.
-    bool collect_guides(NodeId v) {
+    /// Where a node may go, and the neighbours it moves among: all inside the domain (as often as
+    /// they share elements with it), those of the surface on a patch, the two of the line on a
+    /// ridge.
+    void collect_guides(NodeId v) {
+        guides_.clear();
+        room_ = Room::none;
         switch (mesh_.edit.node_class(v)) {
         case NodeClass::interior:
-            guides_.clear();
             for (const ElementId e : mesh_.edit.ball(v)) {
                 for (const NodeId w : mesh_.edit.nodes(e)) {
                     if (w != v) {
@@ -138,52 +154,147 @@ private:
                     }
                 }
             }
-            return true;
+            room_ = Room::domain;
+            break;
         case NodeClass::patch:
-            return collect_plane(v);
+            collect_patch(v);
+            break;
         case NodeClass::ridge:
-            return collect_line(v);
+            collect_line(v);
+            break;
         case NodeClass::frozen:
             break;
         }
-        return false;
     }
 
-    bool collect_plane(NodeId v) {
-        guides_.clear();
-        bool first = true;
-        Vec<D> normal = Vec<D>::Zero();
-        for (const ElementId e : mesh_.edit.ball(v)) {
-            if (!mesh_.edit.is_ghost(e)) {
-                continue;
-            }
+    /// Whether nodes of curved patches may move at all.
+    [[nodiscard]] bool may_curve() const {
+        return options_.curved && mesh_.edit.original_surface() != nullptr;
+    }
+
+    void collect_patch(NodeId v) {
+        gather_faces(mesh_.edit, v, faces_);
+        normal_.setZero();
+        for (const auto& x : faces_.corners) {
+            normal_ += face_normal(x);
+        }
+        normal_.normalize();
+        const Vec<D> first = face_normal(faces_.corners.front());
+        const bool plane =
+            std::all_of(faces_.corners.begin(), faces_.corners.end(),
+                        [&](const auto& x) { return (face_normal(x) - first).norm() < flat; });
+        for (const ElementId e : faces_.ghosts) {
             const Facet<D> face = ghost_face<D>(mesh_.edit.nodes(e));
-            const Vec<D> n = face_normal(mesh_.edit, face);
-            if (first) {
-                normal = n;
-                first = false;
-            } else if (!((n - normal).norm() < flat)) {
-                return false;
-            }
             std::copy_if(face.begin(), face.end(), std::back_inserter(guides_),
                          [&](NodeId w) { return w != v; });
         }
         std::sort(guides_.begin(), guides_.end());
         guides_.erase(std::unique(guides_.begin(), guides_.end()), guides_.end());
-        return !first;
+        room_ = plane ? Room::plane : may_curve() ? Room::surface : Room::none;
+        collect_labels();
     }
 
-    bool collect_line(NodeId v) {
+    void collect_line(NodeId v) {
         mesh_.edit.neighbours(v, neighbours_);
-        guides_.clear();
         std::copy_if(neighbours_.begin(), neighbours_.end(), std::back_inserter(guides_),
                      [&](NodeId w) { return mesh_.edit.is_ridge(v, w); });
         if (guides_.size() != 2) {
-            return false;
+            return;
         }
         const Vec<D> a = (mesh_.edit.point(guides_[0]) - mesh_.edit.point(v)).normalized();
         const Vec<D> b = (mesh_.edit.point(guides_[1]) - mesh_.edit.point(v)).normalized();
-        return (a + b).norm() < flat;
+        if ((a + b).norm() < flat) {
+            room_ = Room::plane;
+            return;
+        }
+        gather_faces(mesh_.edit, v, faces_);
+        collect_labels();
+        normal_ = (b - a).normalized();
+        room_ = may_curve() && labels_.size() == 2 ? Room::curve : Room::none;
+    }
+
+    void collect_labels() {
+        labels_.clear();
+        for (const ElementId e : faces_.ghosts) {
+            labels_.push_back(mesh_.edit.element(e).label);
+        }
+        std::sort(labels_.begin(), labels_.end());
+        labels_.erase(std::unique(labels_.begin(), labels_.end()), labels_.end());
+    }
+
+    /// The place a step leads to, if there is one.
+    [[nodiscard]] std::optional<Vec<D>> place_at(const Vec<D>& old, const Vec<D>& step) const {
+        Vec<D> p = old + step;
+        if (room_ == Room::plane) {
+            // A plane or line along a coordinate axis is kept to the bit.
+            for (int k = 0; k < D; ++k) {
+                if (std::all_of(guides_.begin(), guides_.end(),
+                                [&](NodeId w) { return mesh_.edit.point(w)[k] == old[k]; })) {
+                    p[k] = old[k];
+                }
+            }
+        } else if (room_ == Room::surface) {
+            return place_on_surface(old + (step - normal_ * normal_.dot(step)));
+        } else if (room_ == Room::curve) {
+            return place_on_curve(old + normal_ * normal_.dot(step));
+        }
+        return p;
+    }
+
+    /// Cosine of the largest angle between the mesh and the original surface where a node is put:
+    /// the nearest place may be on the other side of something thin.
+    [[nodiscard]] double least_cosine() const {
+        return std::cos(options_.curved->largest_turn_deg * std::numbers::pi / 180);
+    }
+
+    [[nodiscard]] std::optional<Vec<D>> place_on_surface(const Vec<D>& p) const {
+        const OriginalSurface<D>& original = *mesh_.edit.original_surface();
+        const BoundaryPoint<D> foot = original.projection().project(p, labels_);
+        std::array<Vec<D>, D> x;
+        for (std::size_t i = 0; i < D; ++i) {
+            x[i] = original.boundary().points[foot.nodes[i]];
+        }
+        if (!(face_normal(x).dot(normal_) >= least_cosine())) {
+            return {};
+        }
+        return mean_of(x, foot);
+    }
+
+    [[nodiscard]] std::optional<Vec<D>> place_on_curve(const Vec<D>& p) const {
+        const OriginalSurface<D>& original = *mesh_.edit.original_surface();
+        const BoundaryPoint<D> foot = original.projection().project_on_border(p, labels_);
+        if (!foot.nodes[0].valid()) {
+            return {};
+        }
+        std::array<Vec<D>, D> x;
+        for (std::size_t i = 0; i < D; ++i) {
+            x[i] = original.boundary().points[foot.nodes[i]];
+        }
+        if (!(std::abs((x[1] - x[0]).normalized().dot(normal_)) >= least_cosine())) {
+            return {};
+        }
+        return mean_of(x, foot);
+    }
+
+    /// What the corners have in common is kept to the bit.
+    static Vec<D> mean_of(const std::array<Vec<D>, D>& x, const BoundaryPoint<D>& foot) {
+        Vec<D> p = Vec<D>::Zero();
+        for (std::size_t i = 0; i < D; ++i) {
+            p += foot.weights[i] * x[i];
+        }
+        for (int k = 0; k < D; ++k) {
+            if (std::all_of(x.begin(), x.end(), [&](const Vec<D>& y) { return y[k] == x[0][k]; })) {
+                p[k] = x[0][k];
+            }
+        }
+        return p;
+    }
+
+    /// Whether the boundary at a node that moved on it is one the rules allow.
+    [[nodiscard]] bool keeps_surface(NodeId v) {
+        return (room_ != Room::surface && room_ != Room::curve) ||
+               judge_moved_faces(mesh_.edit, v, faces_, mesh_.short_size(v), *options_.curved) ==
+                   Verdict::accepted;
     }
 
     /// Mean of the places one unit away from each guide, on the line to it.
@@ -194,19 +305,6 @@ private:
             sum += e * (1 / mesh_.length(v, w) - 1);
         }
         return sum / static_cast<double>(guides_.size());
-    }
-
-    /// A plane or line along a coordinate axis is kept to the bit.
-    void hold_common_coordinates(NodeId v, const Vec<D>& old, Vec<D>& p) const {
-        if (mesh_.edit.node_class(v) == NodeClass::interior) {
-            return;
-        }
-        for (int k = 0; k < D; ++k) {
-            if (std::all_of(guides_.begin(), guides_.end(),
-                            [&](NodeId w) { return mesh_.edit.point(w)[k] == old[k]; })) {
-                p[k] = old[k];
-            }
-        }
     }
 
     bool is_better(NodeId v) {
@@ -250,6 +348,10 @@ private:
     UnitMesh<D>& mesh_;
     const MoveOptions& options_;
     std::vector<NodeId> guides_, neighbours_;
+    Room room_ = Room::none;
+    NodeFaces<D> faces_;      ///< before the move; on curved patches and lines
+    Vec<D> normal_;           ///< mean one of these; on a curve its tangent
+    std::vector<int> labels_; ///< of these, ascending
     std::vector<double> qualities_;
     Measure before_;
 };

@@ -5,6 +5,8 @@
 
 #include "core/adapt/unit_mesh.h"
 
+#include <optional>
+
 namespace ameco {
 
 struct MoveOptions {
@@ -12,6 +14,9 @@ struct MoveOptions {
     double gain = 1.002;     ///< the harmonic mean of the qualities must grow by this factor [-]
     int halvings = 3;        ///< of a step that is refused
     double farthest = 1e300; ///< from a node's first place in the UnitMesh, in the metric [-]
+    std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
+                                             ///< between two, which move on the original
+                                             ///< surface; none: they stay
 };
 
 /// Moves one node, as `move_nodes` does.
@@ -20,8 +25,9 @@ template <int D>
 Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options);
 
 /// Moves nodes, in the order of their ids, towards the place from which their neighbours are one
-/// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line;
-/// nodes of curved ones stay where they are.
+/// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line.
+/// Those of curved ones stay where they are, or move on the original surface. Other ridges than
+/// those between patches must be straight.
 /// \param since  only nodes that have changed since are looked at
 /// \return  number of moves made
 template <int D>

@@ -7,6 +7,7 @@
 #include "core/coarsen/fit_level.h"
 #include "core/coarsen/level_report.h"
 #include "core/remesh/front_order.h"
+#include "core/remesh/original_surface.h"
 
 #include <algorithm>
 #include <functional>
@@ -87,6 +88,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);
     RemovalState state(mesh.node_count());
+    BoundaryDistance<D> surface;
     for (int pass = 0; pass < options.passes; ++pass) {
         const double begin = static_cast<double>(pass) / options.passes;
         MonitorPart part(monitor, begin, begin + 0.6 / options.passes);
@@ -104,6 +106,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
         MonitorPart rest(monitor, begin + 0.6 / options.passes, begin + 1.0 / options.passes);
         swap_bad_elements(mesh, swap_input, last ? options.swaps : between, options.removal.surface,
                           report.swaps, rest);
+        surface.measure(mesh);
         report.seconds.swap += watch.lap();
         stop_if_asked(monitor);
     }

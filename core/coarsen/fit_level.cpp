@@ -3,6 +3,7 @@
 
 #include "core/adapt/move_nodes.h"
 #include "core/adapt/swap_edges.h"
+#include "core/remesh/original_surface.h"
 
 namespace ameco {
 
@@ -27,6 +28,7 @@ void fit_level(const Mesh<D>& fine, const MetricField<D>& target, const CoarsenO
         stop_if_asked(monitor);
         since = now;
     }
+    BoundaryDistance<D>().measure(unit.edit);
     auto compact = unit.edit.compact();
     coarse.mesh = std::move(compact.mesh);
     coarse.geometry = std::move(compact.classes);

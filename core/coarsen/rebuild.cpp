@@ -10,6 +10,7 @@
 #include "core/metric/edge_length.h"
 #include "core/recovery/fill.h"
 #include "core/remesh/front_order.h"
+#include "core/remesh/original_surface.h"
 #include "core/surface/boundary_surface.h"
 #include "core/surface/self_intersections.h"
 #include "core/surface/surface_tree.h"
@@ -194,6 +195,7 @@ Skeleton make_skeleton(const Level<3>& fine, const Thinned& thinned,
                        const std::vector<bool>& stays) {
     Skeleton s;
     s.geometry.frozen_patches = fine.geometry.frozen_patches;
+    s.geometry.original = fine.geometry.original;
     IdVector<NodeId, NodeId> number(fine.mesh.points.size());
     for (const NodeId v : fine.mesh.points.ids()) {
         if (stays[v.index()]) {
@@ -378,6 +380,7 @@ Built build(const Level<3>& fine, const MetricField<3>& target, const Thinned& t
         if (left.empty()) {
             MonitorPart swapping(monitor, 0.5, 1);
             swap_to_metric(edited, mesh, field, sizes, options, report, swapping);
+            BoundaryDistance<3>().measure(edited);
             return {edited.compact(), std::move(skeleton.parent)};
         }
         for (const NodeId v : hindrances(edited, left, given)) {

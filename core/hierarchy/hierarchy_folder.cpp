@@ -306,6 +306,9 @@ Level<D> read_level(const fs::path& folder, const Hierarchy& hierarchy, int leve
     parse_level_state(read_whole(state), state, result);
     result.geometry.frozen_patches =
         frozen_patches(result.mesh, hierarchy.options.coarsen.features);
+    result.geometry.original =
+        level == 0 ? classify_geometry(result.mesh).original
+                   : classify_geometry(read_level_mesh<D>(folder, hierarchy, 0)).original;
     // Not from its file: directions and sizes would lose digits by way of the tensor.
     result.natural = nodal_metric(result.mesh, hierarchy.options.coarsen.mean);
     return result;

@@ -126,8 +126,13 @@ IdVector<NodeId, std::vector<int>> node_patches(const Mesh<D>& mesh) {
 }
 
 template <int D>
-BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh) : mesh_(mesh) {
-    all_.faces = outer_faces(mesh);
+BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh)
+    : BoundaryProjection(mesh, outer_faces(mesh)) {}
+
+template <int D>
+BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces)
+    : mesh_(mesh) {
+    all_.faces = std::move(faces);
     for (const FaceId f : all_.faces) {
         patches_[mesh.patch[f]].faces.push_back(f);
     }

@@ -36,6 +36,8 @@ template <int D>
 class BoundaryProjection {
 public:
     explicit BoundaryProjection(const Mesh<D>& mesh);
+    /// \param faces  those to project on, ascending
+    BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces);
 
     /// The nearest point on any boundary face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p) const;
@@ -46,14 +48,17 @@ public:
     /// faces, and without those of any face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const std::vector<int>& patches) const;
 
+    /// The nearest point of the nodes (D = 2) or edges (D = 3) between the first two of `patches`;
+    /// no valid nodes where they do not meet. The nodes of an edge come first, the second one twice.
+    [[nodiscard]] BoundaryPoint<D> project_on_border(const Vec<D>& p,
+                                                     const std::vector<int>& patches) const;
+
 private:
     struct Part {
         std::vector<FaceId> faces;
         std::unique_ptr<BoxTree<D>> tree;
     };
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const Part& part) const;
-    [[nodiscard]] BoundaryPoint<D> project_on_border(const Vec<D>& p,
-                                                     const std::vector<int>& patches) const;
 
     const Mesh<D>& mesh_;
     Part all_;

@@ -18,7 +18,8 @@ template <int D>
 EditMesh<D>::EditMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes)
     : points_(mesh.points), labels_(mesh.labels), class_(classes.node),
       on_boundary_(mesh.points.size(), 0), patch_names_(mesh.patch_names),
-      frozen_patches_(classes.frozen_patches), features_(mesh.features) {
+      frozen_patches_(classes.frozen_patches), original_(classes.original),
+      features_(mesh.features) {
     open_lanes(1);
     elements_.reserve(mesh.elements.size() + mesh.faces.size());
     for (const ElementId e : mesh.elements.ids()) {
@@ -355,6 +356,7 @@ typename EditMesh<D>::Compact EditMesh<D>::compact() const {
     std::sort(out.classes.ridges.begin(), out.classes.ridges.end(),
               [](const RidgeEdge& a, const RidgeEdge& b) { return a.nodes < b.nodes; });
     out.classes.frozen_patches = frozen_patches_;
+    out.classes.original = original_;
     out.mesh.patch_names = patch_names_;
     out.mesh.features = compact_features(new_id, out.classes, out.mesh);
     return out;

@@ -58,6 +58,9 @@ public:
     /// The nodes that share an edge with a node, ascending; the ghost is not among them.
     void neighbours(NodeId v, std::vector<NodeId>& out) const;
 
+    /// The finest boundary, or null where it is not known.
+    [[nodiscard]] const OriginalSurface<D>* original_surface() const { return original_.get(); }
+
     [[nodiscard]] NodeClass node_class(NodeId v) const { return class_[v]; }
     [[nodiscard]] bool on_boundary(NodeId v) const { return on_boundary_[v] != 0; }
 
@@ -166,6 +169,7 @@ private:
     std::vector<std::pair<Facet<D>, int>> interior_; ///< faces inside the domain, with patch
     std::map<int, std::string> patch_names_;
     std::vector<int> frozen_patches_;
+    std::shared_ptr<const OriginalSurface<D>> original_;
     Features features_; ///< of the mesh this was made from
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/mesh/adjacency.h"
 #include "core/mesh/simplex.h"
+#include "core/remesh/original_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -286,6 +287,13 @@ GeometryClasses<D> classify_geometry(const Mesh<D>& mesh, const FeatureOptions& 
         classify_boundary_nodes(mesh, on_boundary, options.corner_angle_deg, classes);
     }
     freeze_required(mesh, classes);
+    std::vector<FaceId> outer;
+    for (const FaceId f : mesh.faces.ids()) {
+        if (on_boundary[f.index()]) {
+            outer.push_back(f);
+        }
+    }
+    classes.original = std::make_shared<const OriginalSurface<D>>(mesh, outer);
     return classes;
 }
 

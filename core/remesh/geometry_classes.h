@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -53,12 +54,17 @@ struct RidgeEdge {
 };
 
 template <int D>
+class OriginalSurface;
+
+template <int D>
 struct GeometryClasses {
     IdVector<NodeId, NodeClass> node; ///< [n]
     std::vector<RidgeEdge> ridges;    ///< D = 3 only, in ascending order of their nodes
     /// Upper bound of the distance between each face and the finest boundary [L], [k].
     IdVector<FaceId, double> deviation;
     std::vector<int> frozen_patches; ///< whose faces stay as they are
+    /// The finest boundary; none where it is not known.
+    std::shared_ptr<const OriginalSurface<D>> original;
 };
 
 /// Classifies the nodes of a valid mesh from patch ids, dihedral angles, declared features and

@@ -2,6 +2,7 @@
 #include "core/remesh/surface_rules.h"
 
 #include "core/geometry/distance.h"
+#include "core/remesh/original_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,11 @@ double one_sided_distance(const std::vector<Corners<D>>& from, const std::vector
 }
 
 template <int D>
+double two_sided_distance(const std::vector<Corners<D>>& a, const std::vector<Corners<D>>& b) {
+    return std::max(one_sided_distance<D>(a, b), one_sided_distance<D>(b, a));
+}
+
+template <int D>
 double mean_edge(const std::vector<Corners<D>>& faces) {
     double sum = 0;
     std::size_t count = 0;
@@ -111,21 +117,64 @@ Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity, double s
             return Verdict::surface_normal;
         }
     }
-    const double moved =
-        std::max(one_sided_distance<D>(before, after), one_sided_distance<D>(after, before));
+    const double moved = two_sided_distance<D>(before, after);
     if (moved > rules.layer_share * short_size ||
         deviation + moved > rules.relative_distance * mean_edge<D>(after)) {
         return Verdict::surface_distance;
     }
     for (EditElement<D>& e : star.elements) {
         if (e.nodes[D] == mesh.ghost()) {
-            // Rounded up: it stays a bound.
-            e.measure = std::nextafter(static_cast<float>(deviation + moved),
-                                       std::numeric_limits<float>::infinity());
-            if (deviation + moved == 0) {
-                e.measure = 0;
-            }
+            e.measure = bound_above(deviation + moved);
         }
+    }
+    return Verdict::accepted;
+}
+
+template <int D>
+void gather_faces(const EditMesh<D>& mesh, NodeId v, NodeFaces<D>& faces) {
+    faces.ghosts.clear();
+    faces.corners.clear();
+    for (const ElementId e : mesh.ball(v)) {
+        if (mesh.is_ghost(e)) {
+            faces.ghosts.push_back(e);
+            faces.corners.push_back(corners(mesh, mesh.nodes(e)));
+        }
+    }
+}
+
+template <int D>
+Verdict judge_moved_faces(EditMesh<D>& mesh, NodeId v, const NodeFaces<D>& before,
+                          double short_size, const SurfaceRules& rules) {
+    NodeFaces<D> after;
+    gather_faces(mesh, v, after);
+    const double least_cosine = std::cos(rules.largest_turn_deg * std::numbers::pi / 180);
+    double deviation = 0;
+    for (std::size_t i = 0; i < after.ghosts.size(); ++i) {
+        if (turns_too_far<D>(before.corners[i], after.corners[i], least_cosine)) {
+            return Verdict::surface_normal;
+        }
+        deviation = std::max(deviation, static_cast<double>(mesh.element(after.ghosts[i]).measure));
+    }
+    const double moved = two_sided_distance<D>(before.corners, after.corners);
+    if (moved > rules.layer_share * short_size) {
+        return Verdict::surface_distance;
+    }
+    const auto farthest = [&](const NodeFaces<D>& faces) {
+        double largest = 0;
+        for (std::size_t i = 0; i < faces.ghosts.size(); ++i) {
+            largest = std::max(largest, distance_to_original<D>(faces.corners[i],
+                                                                mesh.element(faces.ghosts[i]).label,
+                                                                *mesh.original_surface()));
+        }
+        return largest;
+    };
+    const double distance_after = farthest(after);
+    if (distance_after > rules.relative_distance * mean_edge<D>(after.corners) &&
+        distance_after > farthest(before)) {
+        return Verdict::surface_distance;
+    }
+    for (const ElementId e : after.ghosts) {
+        mesh.set_measure(e, bound_above(deviation + moved));
     }
     return Verdict::accepted;
 }
@@ -233,6 +282,9 @@ Verdict check_link(const EditMesh<D>& mesh, NodeId removed, NodeId kept) {
 #define AMECO_INSTANTIATE(D)                                                                       \
     template Verdict judge_surface(const EditMesh<D>&, const Cavity<D>&, double,                   \
                                    const SurfaceRules&, Star<D>&);                                 \
+    template void gather_faces(const EditMesh<D>&, NodeId, NodeFaces<D>&);                         \
+    template Verdict judge_moved_faces(EditMesh<D>&, NodeId, const NodeFaces<D>&, double,          \
+                                       const SurfaceRules&);                                       \
     template Verdict check_link(const EditMesh<D>&, NodeId, NodeId);
 
 AMECO_INSTANTIATE(2)

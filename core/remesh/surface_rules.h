@@ -28,6 +28,27 @@ template <int D>
 [[nodiscard]] Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity,
                                     double short_size, const SurfaceRules& rules, Star<D>& star);
 
+/// The boundary faces at a node.
+template <int D>
+struct NodeFaces {
+    std::vector<ElementId> ghosts;              ///< in the order of the node's ball
+    std::vector<std::array<Vec<D>, D>> corners; ///< of each
+};
+
+template <int D>
+void gather_faces(const EditMesh<D>& mesh, NodeId v, NodeFaces<D>& faces);
+
+/// Judges the boundary faces at a node that was moved to a place on the original surface.
+///
+/// Places on the new faces must be as near to the original surface as the rules ask for, or nearer
+/// than those on the old ones; what the move adds to the bounds of the faces is as above.
+///
+/// \param before  \see gather_faces
+/// \return  accepted, surface_normal or surface_distance; nothing is changed unless accepted
+template <int D>
+[[nodiscard]] Verdict judge_moved_faces(EditMesh<D>& mesh, NodeId v, const NodeFaces<D>& before,
+                                        double short_size, const SurfaceRules& rules);
+
 /// Whether the collapse of `removed` onto `kept`, both on the boundary, leaves the boundary a
 /// manifold: the links of the two nodes, with the ghost elements, meet in the link of their edge
 /// only.

@@ -4,17 +4,20 @@
 /// conformity, quality, nodes, CPU seconds.
 ///
 ///     adapt_bench [--engine fast|mtc] [--quality shape|original|modified] [--node-nested]
-///                 [--mmg PROGRAM] [--cycles N] [--back] [--verbose] [CASE...]
+///                 [--mmg PROGRAM] [--refine PROGRAM] [--limit SECONDS] [--cycles N]
+///                 [--back] [--verbose] [CASE...]
 ///
 /// A cycle adapts to the metric given at the nodes of the mesh, as the peers do it; the formula is
 /// evaluated again on the result. What is printed is measured in the formula at the nodes. With
-/// --mmg the program mmg3d does the same cycles on the same start, through files; its time is that
-/// of the child processes. With --back the result is coarsened to edges of 0.1 everywhere.
+/// --mmg the program mmg3d, with --refine NASA's `ref`, does the same cycles on the same start,
+/// through files; its time is that of the child processes, and it is stopped when all cycles
+/// together take more than --limit (300) seconds of CPU time. With --back the result is coarsened
+/// to edges of 0.1 everywhere.
 ///
 /// The cases cube-8, layer-1e3, m6-8k and m6-67k take meshes to the metric of their next coarser
-/// level, as do `coarsen` with nested and with moved nodes, and mmg3d; they print the ratio of
-/// nodes, fine over coarse, and nodes removed per second. Conformity is measured in the metric at
-/// the places of the nodes.
+/// level, as do `coarsen` with nested and with moved nodes, and the other programs; they print the
+/// ratio of nodes, fine over coarse, and nodes removed per second. Conformity is measured in the
+/// metric at the places of the nodes.
 #include "core/adapt/adapt.h"
 #include "core/cases/cube.h"
 #include "core/cases/layer.h"
@@ -22,15 +25,12 @@
 #include "core/coarsen/coarsen.h"
 #include "core/io/io.h"
 #include "tests/bench/analytic_metric.h"
-
-#include <sys/resource.h>
+#include "tests/bench/peer.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,7 +75,8 @@ void print(const char* what, const VerdictCounts& counts) {
 }
 
 struct Wishes {
-    std::string mmg;
+    std::vector<Peer> peers;
+    double limit = 300; ///< of a peer's CPU time, all cycles of a case [s]
     int cycles = 1;
     bool back = false, verbose = false;
     AdaptOptions options;
@@ -88,6 +89,12 @@ void print_row(const std::string& who, const Case& c, int cycle, const Mesh<3>& 
     std::printf("%-8s %-9s %d %7zu %8.2f %6.1f  %.2f %6.2f  %.1e/%.2f\n", who.c_str(),
                 c.name.c_str(), cycle, mesh.points.size(), seconds, 100 * k.in_band, k.shortest,
                 k.longest, k.worst_quality, k.mean_quality);
+    std::fflush(stdout);
+}
+
+void print_failure(const Peer& peer, const std::string& name, const PeerRun& run, double seconds) {
+    std::printf("%-8s %-9s %s %.0f s\n", peer.name.c_str(), name.c_str(),
+                run.stopped ? "no end after" : "failed after", seconds);
     std::fflush(stdout);
 }
 
@@ -131,31 +138,6 @@ Coarsening make_coarsening(const std::string& name) {
     return {mesh, target_metric(mesh, nodal_metric(mesh, Mean::blended))};
 }
 
-double child_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_CHILDREN, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
-/// One run of mmg3d, through files. \return nothing if it failed
-std::optional<Mesh<3>> adapt_by_mmg(const std::string& program, const Mesh<3>& mesh,
-                                    const MetricField<3>& field) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "ameco_adapt_bench";
-    fs::create_directories(folder);
-    write_mesh(folder / "in.mesh", mesh);
-    write_metric(folder / "in.sol", field);
-    fs::remove(folder / "out.mesh");
-    // Without -hgrad -1 layers become isotropic.
-    const std::string command = "cd " + folder.string() + " && " + program +
-                                " -in in.mesh -sol in.sol -out out.mesh -hgrad -1 > out.txt";
-    if (std::system(command.c_str()) != 0 || !fs::exists(folder / "out.mesh")) {
-        return std::nullopt;
-    }
-    return std::get<Mesh<3>>(read_mesh(folder / "out.mesh").mesh);
-}
-
 void print_level(const char* who, const std::string& name, const Coarsening& c,
                  const Mesh<3>& coarse, double seconds) {
     const BackgroundMetric<3> source(c.mesh, c.target);
@@ -195,13 +177,12 @@ void run_coarsening(const std::string& name, const Wishes& wishes) {
     if (wishes.verbose) {
         print_passes(report);
     }
-    if (!wishes.mmg.empty()) {
-        const double before = child_seconds();
-        const auto coarse = adapt_by_mmg(wishes.mmg, c.mesh, c.target);
-        if (coarse) {
-            print_level("mmg", name, c, *coarse, child_seconds() - before);
+    for (const Peer& peer : wishes.peers) {
+        const PeerRun made = run_peer(peer, c.mesh, c.target, wishes.limit);
+        if (made.mesh) {
+            print_level(peer.name.c_str(), name, c, *made.mesh, made.seconds);
         } else {
-            std::printf("mmg      %-9s failed\n", name.c_str());
+            print_failure(peer, name, made, made.seconds);
         }
     }
 }
@@ -237,17 +218,18 @@ void run(const Case& c, const Wishes& wishes) {
     }
 }
 
-void run_mmg(const Case& c, const Wishes& wishes) {
+void run_peer_cycles(const Peer& peer, const Case& c, const Wishes& wishes) {
     Mesh<3> mesh = make_cube<3>({.n = 20, .displace = 0});
-    const double begin = child_seconds();
+    double seconds = 0;
     for (int n = 1; n <= wishes.cycles; ++n) {
-        auto adapted = adapt_by_mmg(wishes.mmg, mesh, evaluate(c, mesh));
-        if (!adapted) {
-            std::printf("mmg      %-9s %d failed\n", c.name.c_str(), n);
+        PeerRun made = run_peer(peer, mesh, evaluate(c, mesh), wishes.limit - seconds);
+        seconds += made.seconds;
+        if (!made.mesh) {
+            print_failure(peer, c.name, made, seconds);
             return;
         }
-        mesh = std::move(*adapted);
-        print_row("mmg", c, n, mesh, child_seconds() - begin);
+        mesh = std::move(*made.mesh);
+        print_row(peer.name, c, n, mesh, seconds);
     }
 }
 
@@ -255,10 +237,16 @@ void run_mmg(const Case& c, const Wishes& wishes) {
 
 int main(int argc, char** argv) {
     Wishes wishes;
+    std::vector<Peer> peers = known_peers();
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--mmg" && i + 1 < argc) {
-            wishes.mmg = argv[++i];
+        const auto peer = std::find_if(peers.begin(), peers.end(),
+                                       [&](const Peer& p) { return p.option == word; });
+        if (peer != peers.end() && i + 1 < argc) {
+            peer->program = argv[++i];
+            wishes.peers.push_back(*peer);
+        } else if (word == "--limit" && i + 1 < argc) {
+            wishes.limit = std::atof(argv[++i]);
         } else if (word == "--cycles" && i + 1 < argc) {
             wishes.cycles = std::atoi(argv[++i]);
         } else if (word == "--back" || word == "--verbose") {
@@ -283,8 +271,8 @@ int main(int argc, char** argv) {
             continue;
         }
         run(c, wishes);
-        if (!wishes.mmg.empty()) {
-            run_mmg(c, wishes);
+        for (const Peer& peer : wishes.peers) {
+            run_peer_cycles(peer, c, wishes);
         }
     }
     for (const std::string name : {"cube-8", "layer-1e3", "m6-8k", "m6-67k"}) {

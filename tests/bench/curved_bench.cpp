@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
 /// Curved walls, layers inside the domain and between walls, and a sphere down to isotropy: what
-/// the coarsener reaches there, and how well it keeps the boundary.
+/// the coarsener reaches there, and how well it keeps the boundary; a sphere and a cylinder adapted
+/// to a metric, with and without moves of the nodes on them.
 ///
-///     curved_bench walls inside deep [frequency]
+///     curved_bench walls inside adapt deep [frequency]
 ///
 /// takes the parts wanted, and without arguments walls and inside.
+#include "core/adapt/adapt.h"
 #include "core/base/parallel.h"
 #include "core/cases/layer.h"
 #include "core/cases/shell.h"
@@ -109,6 +111,88 @@ void inside() {
     }
 }
 
+/// Sizes by the distance from the unit sphere or cylinder, in layers along it.
+class WallMetric : public MetricSource<3> {
+public:
+    WallMetric(bool cylinder, double first, double size)
+        : cylinder_(cylinder), first_(first), size_(size) {}
+    [[nodiscard]] Metric<3> at(const Vec<3>& p, NodeId& /*near*/) const override {
+        const Vec<3> out(p[0], cylinder_ ? 0 : p[1], p[2]);
+        const double radius = out.norm();
+        Metric<3> m;
+        m.sizes.setConstant(size_);
+        m.sizes[0] = std::min(first_ + 0.2 * std::abs(radius - 1), size_);
+        m.directions.col(0) = out / radius;
+        m.directions.col(1) = m.directions.col(0).unitOrthogonal();
+        m.directions.col(2) = m.directions.col(0).cross(m.directions.col(1));
+        return m;
+    }
+
+private:
+    bool cylinder_;
+    double first_, size_;
+};
+
+/// Share of the edges of boundary faces that are in band.
+double surface_in_band(const Mesh<3>& mesh, const MetricField<3>& field) {
+    std::map<Edge, double> lengths;
+    for (const Facet<3>& f : mesh.faces) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const NodeId a = f[i], b = f[(i + 1) % 3];
+            const Vec<3> e = mesh.points[b] - mesh.points[a];
+            lengths[sorted(Edge{a, b})] = edge_length((length_factor(field[a]) * e).norm(),
+                                                      (length_factor(field[b]) * e).norm());
+        }
+    }
+    const auto in_band = std::count_if(lengths.begin(), lengths.end(), [](const auto& l) {
+        return l.second > 1 / std::numbers::sqrt2 && l.second < std::numbers::sqrt2;
+    });
+    return static_cast<double>(in_band) / static_cast<double>(lengths.size());
+}
+
+void adapt_one(const char* what, const Mesh<3>& mesh, const WallMetric& metric) {
+    for (const bool moves : {false, true}) {
+        AdaptOptions options;
+        options.move_curved = moves;
+        AdaptReport r;
+        const Adapted<3> made = adapt(mesh, metric, options, r);
+        const Level<3> level{made.mesh, {}, made.metric, {}};
+        double distance = 0;
+        for (const auto& [patch, fit] : boundary_fit::measure(level, mesh)) {
+            distance = std::max(distance, fit.over_edge);
+        }
+        std::printf("%-16s %-5s %7lld %6.1f %6.1f %6.1f  %5.2f %5.2f  %.3f / %.3f  %7.4f  %9.1e  "
+                    "%9.1e %8lld\n",
+                    what, moves ? "move" : "stay", static_cast<long long>(r.nodes_after), r.seconds,
+                    percent(r.conformity.in_band), percent(surface_in_band(made.mesh, made.metric)),
+                    r.conformity.shortest, r.conformity.longest, r.conformity.worst_quality,
+                    r.conformity.mean_quality, distance, r.check.volume / check(mesh).volume - 1,
+                    boundary_fit::area_change(made.mesh, mesh),
+                    static_cast<long long>(r.moves[Verdict::accepted]));
+        std::fflush(stdout);
+    }
+}
+
+void adapt_curved() {
+    std::printf(
+        "\nAdaptation on curved walls; nodes of the walls stay or move. In band: all edges, "
+        "those of the boundary [%%]; distance: largest to the boundary given, over the "
+        "edge; volume and area: relative change\n"
+        "case             nodes     after      s    all  bound.     lengths      quality   "
+        "    distance    volume       area    moves\n");
+    ShellOptions shell;
+    shell.frequency = 8;
+    shell.aspect_ratio = 10;
+    shell.growth = 1.5;
+    shell.far_field = 2;
+    const Mesh<3> sphere = make_shell(shell);
+    const Mesh<3> cylinder = layered_cases::cylinder(48, 12, growing_layers(0.02, 1.5, 0.3, 6));
+    adapt_one("sphere", sphere, WallMetric(false, 0.2, 0.2));
+    adapt_one("sphere, layer", sphere, WallMetric(false, 0.02, 0.15));
+    adapt_one("cylinder", cylinder, WallMetric(true, 0.2, 0.2));
+    adapt_one("cylinder, layer", cylinder, WallMetric(true, 0.02, 0.15));
+}
+
 /// Ratio of the meshes that keep every 2^(k-1)-th and every 2^k-th layer.
 double ideal_ratio(ShellOptions shell, int k) {
     shell.every = 1 << (k - 1);
@@ -191,6 +275,9 @@ int main(int argc, char** argv) {
     }
     if (argc == 1 || wanted("inside")) {
         inside();
+    }
+    if (wanted("adapt")) {
+        adapt_curved();
     }
     if (wanted("deep")) {
         const int frequency = std::atoi(argv[argc - 1]);

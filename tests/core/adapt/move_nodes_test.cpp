@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/adapt/move_nodes.h"
 
+#include "core/cases/shell.h"
+#include "core/mesh/boundary_projection.h"
 #include "tests/core/adapt/adapt_support.h"
+#include "tests/support/layered_cases.h"
 
 #include <QTest>
 
@@ -20,6 +23,55 @@ double inverse_sum(const UnitMesh<D>& mesh) {
         }
     }
     return sum;
+}
+
+/// A domain with curved walls under edit.
+struct RoundBench {
+    Mesh<3> mesh;
+    UniformMetric<3> source;
+    UnitMesh<3> unit;
+
+    RoundBench(const Mesh<3>& m, double size, const FeatureOptions& features = {})
+        : mesh(m), source(size), unit(mesh, classify_geometry(mesh, features), source,
+                                      IdVector<NodeId, NodeId>(mesh.points.size(), NodeId(0))) {}
+
+    /// Nodes that are not where they were, of some class.
+    [[nodiscard]] int moved(NodeClass node_class) const {
+        int count = 0;
+        for (const NodeId v : mesh.points.ids()) {
+            count += unit.edit.node_class(v) == node_class && unit.edit.point(v) != mesh.points[v]
+                         ? 1
+                         : 0;
+        }
+        return count;
+    }
+};
+
+Mesh<3> between_spheres() {
+    ShellOptions shell;
+    shell.frequency = 4;
+    shell.aspect_ratio = 1;
+    shell.growth = 1.5;
+    shell.far_field = 2;
+    shell.displace = 0.2;
+    return make_shell(shell);
+}
+
+Mesh<3> between_cylinders() {
+    return layered_cases::cylinder(16, 4, {0, 0.4, 0.8});
+}
+
+/// Largest distance of the boundary nodes of a mesh to the boundary of another, patch by patch.
+double farthest(const Mesh<3>& mesh, const Mesh<3>& original) {
+    const BoundaryProjection<3> projection(original);
+    const auto patches = node_patches(mesh);
+    double largest = 0;
+    for (const NodeId v : mesh.points.ids()) {
+        if (!patches[v].empty()) {
+            largest = std::max(largest, projection.project(mesh.points[v], patches[v]).distance);
+        }
+    }
+    return largest;
 }
 
 } // namespace
@@ -63,6 +115,79 @@ private slots:
             }
         }
         QVERIFY(moved_on_boundary > 0);
+    }
+
+    void nodes_of_curved_patches_move_on_the_original_surface_data() {
+        QTest::addColumn<bool>("cylinder");
+        QTest::newRow("sphere") << false;
+        QTest::newRow("cylinder") << true;
+    }
+
+    void nodes_of_curved_patches_move_on_the_original_surface() {
+        QFETCH(bool, cylinder);
+        RoundBench bench(cylinder ? between_cylinders() : between_spheres(), 0.4);
+        const SurfaceRules rules;
+        const double volume = check(bench.mesh).volume, before = inverse_sum(bench.unit);
+        for (int pass = 0; pass < 3; ++pass) {
+            for (const NodeId v : bench.mesh.points.ids()) {
+                if (move_node(bench.unit, v, {.below = 1, .curved = rules}) != Verdict::accepted) {
+                    continue;
+                }
+                for (const ElementId e : bench.unit.edit.ball(v)) {
+                    QVERIFY(bench.unit.edit.is_ghost(e) ||
+                            is_positive(bench.unit.edit, bench.unit.edit.nodes(e)));
+                }
+            }
+        }
+        const auto now = bench.unit.edit.compact();
+        QVERIFY2(check(now.mesh).valid(), check(now.mesh).summary().c_str());
+        QVERIFY(inverse_sum(bench.unit) < before);
+        QVERIFY(bench.moved(NodeClass::patch) > 10);
+        QCOMPARE_LE(farthest(now.mesh, bench.mesh), 1e-14);
+        QCOMPARE_LE(std::abs(check(now.mesh).volume / volume - 1), 0.02);
+        for (const FaceId f : now.mesh.faces.ids()) {
+            const Facet<3>& n = now.mesh.faces[f];
+            const Vec<3> middle =
+                (now.mesh.points[n[0]] + now.mesh.points[n[1]] + now.mesh.points[n[2]]) / 3;
+            const BoundaryProjection<3> projection(bench.mesh);
+            QCOMPARE_LE(projection.project(middle).distance, now.classes.deviation[f] + 1e-14);
+        }
+        if (cylinder) { // whose ends are planes across the y axis, with circles around them
+            QVERIFY(bench.moved(NodeClass::ridge) > 0);
+            for (const NodeId v : bench.mesh.points.ids()) {
+                const double y = bench.mesh.points[v][1];
+                if (y == bench.mesh.points[NodeId(0)][1]) {
+                    QCOMPARE(bench.unit.edit.point(v)[1], y);
+                }
+            }
+        }
+    }
+
+    void nodes_of_curved_patches_stay_without_rules_and_where_they_are_frozen() {
+        for (const bool frozen : {false, true}) {
+            FeatureOptions features;
+            MoveOptions options{.below = 1};
+            if (frozen) {
+                features.boundary = BoundaryChoice::keep;
+                options.curved = SurfaceRules{};
+            }
+            RoundBench bench(between_spheres(), 0.4, features);
+            VerdictCounts verdicts;
+            QVERIFY(move_nodes(bench.unit, options, 0, verdicts) > 0);
+            for (const NodeId v : bench.mesh.points.ids()) {
+                QVERIFY(!bench.unit.edit.on_boundary(v) ||
+                        bench.unit.edit.point(v) == bench.mesh.points[v]);
+            }
+        }
+    }
+
+    void curved_walls_do_not_pass_a_share_of_the_layer() {
+        // No move of a node on a sphere leaves the faces around it where they were.
+        RoundBench bench(between_spheres(), 0.4);
+        const SurfaceRules none{.layer_share = 1e-9};
+        VerdictCounts verdicts;
+        QVERIFY(move_nodes(bench.unit, {.below = 1, .curved = none}, 0, verdicts) > 0);
+        QCOMPARE(bench.moved(NodeClass::patch), 0);
     }
 
     void the_metric_is_that_of_the_new_place() {

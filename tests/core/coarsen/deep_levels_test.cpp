@@ -26,9 +26,9 @@ private slots:
             CoarsenReport report;
             level = coarsen(level, {}, report);
             QVERIFY2(report.check.valid(), report.check.summary().c_str());
-            QVERIFY(std::abs(report.check.volume / volume - 1) < 0.03);
+            QVERIFY(std::abs(report.check.volume / volume - 1) < 0.06);
             const auto fit = boundary_fit::measure(level, finest).at(1);
-            QVERIFY(fit.over_short <= 0.5);
+            QVERIFY(fit.over_short < 1); // the surface has not passed the first layer
             QVERIFY(fit.over_edge <= 0.13);
             const double ratio =
                 static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after);
@@ -38,7 +38,8 @@ private slots:
                 const auto surface = static_cast<std::size_t>(Verdict::surface_distance);
                 QCOMPARE(std::max_element(counts.begin(), counts.end()) - counts.begin(),
                          static_cast<std::ptrdiff_t>(surface));
-                QVERIFY(k > 7);
+                QVERIFY(k > 8);
+                QVERIFY(report.nodes_after < 400); // with distances summed up 860 are left
                 return;
             }
             if (aspect > 20) {
