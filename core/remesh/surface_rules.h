@@ -19,11 +19,12 @@ struct SurfaceRules {
 ///
 /// The distance between the two surfaces is sampled at nodes and edge midpoints of both. It is
 /// added to the largest bound of the faces replaced, so that by the triangle inequality the bound
-/// of a face stays one for its distance to the finest boundary, over all levels; new ghost elements
-/// carry it as their measure.
+/// of a face stays one for its distance to the finest boundary; new ghost elements carry it as
+/// their measure, until it is measured anew (\see BoundaryDistance).
 ///
 /// \param short_size  h_1 of the natural metric nearby [L]: the surface must not pass the layer
-/// above \return            accepted, surface_normal or surface_distance
+///                    above
+/// \return            accepted, surface_normal or surface_distance
 template <int D>
 [[nodiscard]] Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity,
                                     double short_size, const SurfaceRules& rules, Star<D>& star);

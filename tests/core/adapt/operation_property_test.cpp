@@ -80,7 +80,8 @@ public:
         case 2:
             return swap_worst(v);
         case 3:
-            return move_node(unit_, v, {.below = 1, .gain = 1.0001}) == Verdict::accepted;
+            return move_node(unit_, v, {.below = 1, .gain = 1.0001, .curved = surface_}) ==
+                   Verdict::accepted;
         case 4:
             return mend_ball(unit_, v, mtc_, surface_, verdicts_of_mtc_);
         default:
