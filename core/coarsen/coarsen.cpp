@@ -76,8 +76,9 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     measure_size_quality(mesh, data.sizes);
-    RemovedNodes<D> removed(
-        data.couplings, interpolation_bounds<D>(data.directions, options.removal.interpolation));
+    RemovedNodes<D> removed(data.couplings,
+                            interpolation_bounds<D>(data.directions, options.removal.interpolation),
+                            data.short_size);
     EditNotes notes(mesh);
     const RemovalInput<D> input{
         data.front.order, data.couplings,  data.sizes, data.natural, data.target,

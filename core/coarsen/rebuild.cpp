@@ -335,7 +335,7 @@ void swap_to_metric(EditMesh<3>& mesh, const Mesh<3>& built, const MetricField<3
         short_size[NodeId(i)] = static_cast<float>(field[NodeId(i)].sizes[0]);
     }
     const Couplings couplings = make_couplings(built);
-    RemovedNodes<3> removed(couplings, IdVector<NodeId, float>(n, 0.0F));
+    RemovedNodes<3> removed(couplings, IdVector<NodeId, float>(n, 0.0F), short_size);
     const RootField<3> root = make_root_field(field);
     SwapOptions swaps = options.swaps;
     swaps.rounds = 8; // Delaunay's elements are farther from the metric than those of local steps

@@ -3,9 +3,24 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace ameco {
 namespace {
+
+/// Whether the first of two strongest neighbours is much farther than a third one: in the long
+/// direction of a needle, where each of many elements around an edge adds to its coupling, and
+/// diagonals with negative couplings take as much away.
+template <int D>
+bool is_longest(const Mesh<D>& mesh, std::span<const NodeId> neighbours, NodeId v,
+                const std::array<NodeId, 3>& best) {
+    constexpr double much = 3;
+    const auto distance = [&](NodeId w) { return (mesh.points[w] - mesh.points[v]).norm(); };
+    const double most = distance(best[0]) / much;
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](NodeId w) {
+        return w != best[0] && w != best[1] && distance(w) < most;
+    });
+}
 
 /// The one or two neighbours a node wants to be linked with.
 template <int D>
@@ -27,6 +42,9 @@ std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplin
             }
         }
     }
+    if (!best[0].valid() || is_longest(mesh, neighbours, v, best)) {
+        return {};
+    }
     const auto tau = static_cast<float>(options.dominance);
     if (best[1].valid() && c[1] >= tau * c[2]) {
         const Vec<D> a = mesh.points[best[0]] - mesh.points[v];
@@ -35,7 +53,7 @@ std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplin
             return {best[0], best[1]};
         }
     }
-    if (best[0].valid() && c[0] >= tau * c[1]) {
+    if (c[0] >= tau * c[1]) {
         return {best[0], NodeId()};
     }
     return {};

@@ -43,7 +43,8 @@ struct LineOptions {
 
 /// Finds the lines of a mesh. A node is inside a line if its two strongest couplings point in
 /// opposite directions and exceed the third `dominance` times, an end if only its strongest exceeds
-/// the second; links must be mutual.
+/// the second; links must be mutual. Where a third neighbour is much nearer than the strongest one
+/// there is no line: lines follow the short edges.
 /// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller;
 ///             lines between two walls from the lower end along the axis they follow most
 template <int D>

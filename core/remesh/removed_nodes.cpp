@@ -18,10 +18,13 @@ constexpr double negligible_weight = 1e-9;
 /// Least conductance between two nodes, over a_vv.
 constexpr double least_conductance = 0.02;
 
+/// Most conductance between nodes at a distance d, over a_vv: this times (h_1 / d)^2.
+constexpr double most_conductance = 2;
+
 } // namespace
 
 double interpolation_constant(const Couplings& couplings, NodeId v, std::span<const NodeId> nodes,
-                              std::span<const double> weights) {
+                              std::span<const double> weights, std::span<const double> most) {
     const auto neighbours = couplings.neighbours[v];
     const auto values = couplings.at(v);
     const auto diagonal = static_cast<double>(couplings.diagonal[v]);
@@ -39,6 +42,9 @@ double interpolation_constant(const Couplings& couplings, NodeId v, std::span<co
                 const auto second = static_cast<double>(couplings.between(neighbours[k], nodes[j]));
                 conductance += second > 0 ? first * second / (first + second) : 0;
             }
+        }
+        if (!most.empty()) {
+            conductance = std::min(conductance, most[j] * diagonal);
         }
         sum += weights[j] / std::max(conductance, least_conductance * diagonal);
     }
@@ -70,9 +76,10 @@ IdVector<NodeId, float> interpolation_bounds(const IdVector<NodeId, float>& dire
 }
 
 template <int D>
-RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds)
-    : couplings_(couplings), bounds_(std::move(bounds)), next_(couplings.diagonal.size()),
-      constant_(couplings.diagonal.size(), 0) {}
+RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds,
+                              IdVector<NodeId, float> short_size)
+    : couplings_(couplings), bounds_(std::move(bounds)), short_size_(std::move(short_size)),
+      next_(couplings.diagonal.size()), constant_(couplings.diagonal.size(), 0) {}
 
 template <int D>
 bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>& cavity,
@@ -147,9 +154,21 @@ auto RemovedNodes<D>::locate(const EditMesh<D>& mesh, const Star<D>& star, NodeI
             }
         }
     }
+    const Simplex<D>& nodes = star.elements[found].nodes;
+    std::array<double, D + 1> most;
+    std::transform(nodes.begin(), nodes.end(), most.begin(),
+                   [&](NodeId w) { return conductance_limit(mesh, v, w); });
     return {v, found,
-            static_cast<float>(
-                interpolation_constant(couplings_, v, star.elements[found].nodes, weights))};
+            static_cast<float>(interpolation_constant(couplings_, v, nodes, weights, most))};
+}
+
+template <int D>
+double RemovedNodes<D>::conductance_limit(const EditMesh<D>& mesh, NodeId v, NodeId w) const {
+    if (short_size_.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const auto h = static_cast<double>(short_size_[v]);
+    return most_conductance * h * h / (mesh.point(w) - mesh.point(v)).squaredNorm();
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

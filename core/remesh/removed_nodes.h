@@ -21,9 +21,14 @@ namespace ameco {
 /// since a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2, and the energy around v is at
 /// least g_vi (e_v - e_i)^2 for each i. 2 on a line across layers. Ways over three couplings or
 /// more count as g = 0.02 a_vv, so that small weights of far nodes do no harm.
+///
+/// Negative couplings are left out, and with them what they take away: in needles the couplings
+/// along the needle look strong, and those with the diagonals beside cancel them.
+/// \param most  largest g_vi that is believed, over a_vv, one per node; empty: all are
 [[nodiscard]] double interpolation_constant(const Couplings& couplings, NodeId v,
                                             std::span<const NodeId> nodes,
-                                            std::span<const double> weights);
+                                            std::span<const double> weights,
+                                            std::span<const double> most = {});
 
 /// In how many directions each node is to be coarsened, n = sum log2(h'_i / h_i): 1 in a layer, D
 /// where all sizes double.
@@ -57,6 +62,11 @@ interpolation_bounds(const IdVector<NodeId, float>& directions, const Interpolat
 /// A removed node gets its value from the nodes of its element, see `interpolation_constant`. An
 /// edit that raises K of a node above its bound is refused, be it collapse or swap: this keeps
 /// edges of the coarse mesh along the strong couplings of the fine one, on lines and off them.
+///
+/// An error with gradient g differs by g d between nodes at a distance d, and a_vv is that of an
+/// element of height h_1: no conductance counts for more than 2 (h_1 / d)^2 a_vv. Nodes are so not
+/// interpolated along needles.
+///
 /// Nodes of the boundary are left out: other nodes of the boundary interpolate them, whatever they
 /// are coupled with.
 /// \see docs/theory/multigrid.md
@@ -65,7 +75,9 @@ class RemovedNodes {
 public:
     /// \param couplings  of the mesh before any removal; must outlive this
     /// \param bounds     largest K of each node [-]
-    RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds);
+    /// \param short_size  natural h_1 of each node [L]; empty: couplings alone decide
+    RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds,
+                 IdVector<NodeId, float> short_size = {});
 
     /// Whether filling the cavity with the star leaves the removed nodes in it, and `leaving`
     /// (where valid) with them, in elements that interpolate them well enough: K at most the bound,
@@ -97,9 +109,12 @@ private:
         std::vector<Place> of;
     };
     [[nodiscard]] Place locate(const EditMesh<D>& mesh, const Star<D>& star, NodeId v) const;
+    /// Most conductance between v and w, over a_vv.
+    [[nodiscard]] double conductance_limit(const EditMesh<D>& mesh, NodeId v, NodeId w) const;
 
     const Couplings& couplings_;
     IdVector<NodeId, float> bounds_;
+    IdVector<NodeId, float> short_size_;
     IdVector<ElementId, NodeId> first_; ///< [slots] first removed node in an element
     IdVector<NodeId, NodeId> next_;     ///< the next one in the same element
     IdVector<NodeId, float> constant_;  ///< K, where the node is now

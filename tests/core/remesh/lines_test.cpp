@@ -71,6 +71,7 @@ private slots:
     void isotropic_meshes_have_hardly_any_lines();
     void lines_between_two_walls_start_on_the_same_side();
     void lines_end_where_the_layer_does();
+    void no_line_goes_along_a_needle();
     void does_not_depend_on_the_numbering();
     void removal_joins_two_gaps_and_marks_the_new_one();
     void removal_of_an_end_shortens_the_line();
@@ -137,6 +138,20 @@ void LinesTest::lines_end_where_the_layer_does() {
     }
     QCOMPARE_GE(top, 3);
     QCOMPARE_LE(top, 5);
+}
+
+void LinesTest::no_line_goes_along_a_needle() {
+    const Mesh<3> rod = make_rod(7);
+    const Couplings couplings = make_couplings(rod);
+    const NodeId middle(3 * (rod_corners + 1)), above(4 * (rod_corners + 1));
+    const auto neighbours = couplings.neighbours[middle];
+    float others = 0;
+    for (const NodeId w : neighbours) {
+        const bool on_axis = w.index() % (rod_corners + 1) == 0;
+        others = std::max(others, on_axis ? 0 : couplings.between(middle, w));
+    }
+    QCOMPARE_GT(couplings.between(middle, above), 2 * others); // as if on a line
+    QVERIFY(!lines_of(rod).on_line(middle));
 }
 
 void LinesTest::does_not_depend_on_the_numbering() {

@@ -5,6 +5,7 @@
 
 #include "core/geometry/volume.h"
 #include "core/mesh/adjacency.h"
+#include "core/mesh/boundary.h"
 #include "core/mesh/check.h"
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/cavity.h"
@@ -65,6 +66,52 @@ struct Workbench {
     /// With the natural metric of the mesh.
     explicit Workbench(const Mesh<D>& m) : Workbench(m, nodal_metric(m)) {}
 };
+
+constexpr int rod_corners = 24;
+
+/// A slanted rod of polygons, `rod_corners` corners and a radius of 0.2 each, one upon the other in
+/// distances of 1. The first node of each polygon is its middle. Diagonals rise with x, so that
+/// couplings between the middles are strong, and negative ones cancel them.
+[[nodiscard]] inline Mesh<3> make_rod(int polygons) {
+    Mesh<3> mesh;
+    const auto add_node = [&](double x, double y, int k) {
+        mesh.points.push_back({x + k, y, static_cast<double>(k)});
+    };
+    for (int k = 0; k < polygons; ++k) {
+        add_node(0, 0, k);
+        for (int i = 0; i < rod_corners; ++i) {
+            const double angle = 2 * M_PI * (i + 0.5) / rod_corners;
+            add_node(0.2 * std::cos(angle), 0.2 * std::sin(angle), k);
+        }
+    }
+    const auto add = [&](Simplex<3> s) {
+        const Vec<3> a = mesh.points[s[0]];
+        if ((mesh.points[s[1]] - a).cross(mesh.points[s[2]] - a).dot(mesh.points[s[3]] - a) < 0) {
+            std::swap(s[2], s[3]);
+        }
+        mesh.elements.push_back(s);
+        mesh.region.push_back(0);
+    };
+    for (std::size_t below = 0; below + rod_corners + 1 < mesh.points.size();
+         below += rod_corners + 1) {
+        for (std::size_t i = 0; i < rod_corners; ++i) {
+            std::array<NodeId, 3> v{NodeId(below), NodeId(below + 1 + i),
+                                    NodeId(below + 1 + (i + 1) % rod_corners)};
+            std::sort(v.begin(), v.end(), [&](NodeId a, NodeId b) {
+                const double xa = mesh.points[a][0], xb = mesh.points[b][0];
+                return std::abs(xa - xb) > 1e-12 ? xa < xb : a < b;
+            });
+            std::array<NodeId, 3> up;
+            std::transform(v.begin(), v.end(), up.begin(),
+                           [](NodeId n) { return NodeId(n.index() + rod_corners + 1); });
+            add({v[0], v[1], v[2], up[2]});
+            add({v[0], v[1], up[1], up[2]});
+            add({v[0], up[0], up[1], up[2]});
+        }
+    }
+    complete_boundary(mesh);
+    return mesh;
+}
 
 /// Nodes that share an element with `v`, the ghost not among them, ascending.
 template <int D>

@@ -56,6 +56,7 @@ class RemovedNodesTest : public QObject {
 private slots:
     void the_middle_of_a_line_has_constant_two();
     void a_node_leaves_along_a_strong_edge_and_not_along_a_weak_one();
+    void a_node_does_not_leave_along_a_needle();
     void every_removed_node_stays_well_interpolated_data();
     void every_removed_node_stays_well_interpolated();
     void the_bound_grows_with_the_directions_that_are_coarsened();
@@ -86,6 +87,22 @@ void RemovedNodesTest::a_node_leaves_along_a_strong_edge_and_not_along_a_weak_on
     QVERIFY(m.may_leave(m.strong, 5));
     QVERIFY(!m.may_leave(m.weak, 5));
     QVERIFY(m.may_leave(m.weak, 1e6f));
+}
+
+void RemovedNodesTest::a_node_does_not_leave_along_a_needle() {
+    const Mesh<3> rod = make_rod(7);
+    const Couplings couplings = make_couplings(rod);
+    Workbench<3> bench{rod};
+    const NodeId middle(3 * (rod_corners + 1)), above(4 * (rod_corners + 1));
+    Cavity<3> ball;
+    Star<3> star;
+    gather_ball(bench.edit, middle, ball);
+    QVERIFY(make_star(bench.edit, ball, above, star) == Verdict::accepted);
+    const IdVector<NodeId, float> bounds(rod.points.size(), 5);
+    RemovedNodes<3> by_couplings(couplings, bounds);
+    QVERIFY(by_couplings.interpolated_well(bench.edit, ball, star, middle));
+    RemovedNodes<3> by_sizes(couplings, bounds, bench.short_size);
+    QVERIFY(!by_sizes.interpolated_well(bench.edit, ball, star, middle));
 }
 
 void RemovedNodesTest::every_removed_node_stays_well_interpolated_data() {
