@@ -19,7 +19,7 @@ constexpr double negligible_weight = 1e-9;
 constexpr double least_conductance = 0.02;
 
 /// Most conductance between nodes at a distance d, over a_vv: this times (h_1 / d)^2.
-constexpr double most_conductance = 3;
+constexpr double most_conductance = 2;
 
 template <int D>
 std::array<Vec<D>, D + 1> corners_of(const EditMesh<D>& mesh, const Simplex<D>& s) {

@@ -64,7 +64,7 @@ interpolation_bounds(const IdVector<NodeId, float>& directions, const Interpolat
 /// edges of the coarse mesh along the strong couplings of the fine one, on lines and off them.
 ///
 /// An error with gradient g differs by g d between nodes at a distance d, and a_vv is that of an
-/// element of height h_1: no conductance counts for more than 4 (h_1 / d)^2 a_vv. Nodes are so not
+/// element of height h_1: no conductance counts for more than 2 (h_1 / d)^2 a_vv. Nodes are so not
 /// interpolated along needles.
 ///
 /// Nodes of the boundary are left out: other nodes of the boundary interpolate them, whatever they
