@@ -6,6 +6,7 @@
 #include "core/io/io.h"
 #include "core/mesh/boundary.h"
 #include "core/metric/aspect_ratio.h"
+#include "core/multigrid/study.h"
 
 #include <QFileInfo>
 #include <QTest>
@@ -49,6 +50,28 @@ void coarsens_as_the_metric_asks(Mesh<3> mesh) {
     QVERIFY(stretched(classes.back()) < 0.1 * stretched(classes.front()));
 }
 
+/// Iterations of CG with V(2,2) and locally Galerkin matrices, on five coarse levels.
+int iterations(Mesh<3> mesh) {
+    (void)complete_boundary(mesh);
+    Level<3> fine = finest_level(std::move(mesh), {});
+    std::vector<Mesh<3>> meshes;
+    std::vector<Transfer> transfers;
+    for (int k = 1; k <= 5; ++k) {
+        CoarsenReport report;
+        Level<3> coarse = coarsen(fine, {}, report);
+        transfers.push_back(make_transfer(fine.mesh, coarse.mesh, coarse.parent));
+        meshes.push_back(std::move(fine.mesh));
+        fine = std::move(coarse);
+    }
+    meshes.push_back(std::move(fine.mesh));
+    const LevelEquations equations =
+        level_equations(meshes, transfers, ModelProblem<3>(), CoarseOperator::local_galerkin);
+    CycleOptions options;
+    options.before = options.after = 2;
+    const Vector load = restricted(unit_load(meshes[0]), equations.unknowns[0]);
+    return study_cycle(equations, options, load).krylov.iterations;
+}
+
 } // namespace
 
 class WingTest : public QObject {
@@ -57,6 +80,7 @@ private slots:
     void our_wing_coarsens_as_the_metric_asks();
     void a_wing_by_another_program_coarsens_as_the_metric_asks();
     void each_level_has_the_ratio_asked_for();
+    void multigrid_does_not_feel_the_size();
 };
 
 void WingTest::our_wing_coarsens_as_the_metric_asks() {
@@ -81,6 +105,21 @@ void WingTest::each_level_has_the_ratio_asked_for() {
         QVERIFY2(ratio >= 1.9 && ratio <= 2.1,
                  qPrintable(QStringLiteral("level %1: ratio %2").arg(k).arg(ratio)));
     }
+}
+
+void WingTest::multigrid_does_not_feel_the_size() {
+    OneraM6Options half; // all numbers of cells, and twice the heights
+    half.chord_cells /= 2;
+    half.span_cells /= 2;
+    half.cap_cells /= 2;
+    half.layers /= 2;
+    half.growth_layers /= 2;
+    half.first_height = 8.9e-4;
+    half.growth *= half.growth;
+    const int small = iterations(make_onera_m6(half));
+    const int large = iterations(make_onera_m6({}));
+    QVERIFY2(small <= 10, qPrintable(QString::number(small)));
+    QVERIFY2(4 * large <= 5 * small, qPrintable(QStringLiteral("%1 %2").arg(small).arg(large)));
 }
 
 QTEST_APPLESS_MAIN(WingTest)

@@ -38,6 +38,8 @@ private slots:
     void two_grids_reach_the_theoretical_factor_in_layers_data();
     void two_grids_reach_the_theoretical_factor_in_layers();
     void cycles_do_not_feel_the_aspect_ratio();
+    void cycles_converge_by_themselves_on_an_ellipsoid_data();
+    void cycles_converge_by_themselves_on_an_ellipsoid();
     void full_coarsening_by_the_same_ratio_fails();
     void one_node_too_many_on_one_line_is_felt_and_found();
 };
@@ -98,6 +100,31 @@ void ConvergenceTest::cycles_do_not_feel_the_aspect_ratio() {
         iterations.push_back(study.krylov.iterations);
     }
     QVERIFY(std::abs(iterations[0] - iterations[1]) <= 1);
+}
+
+void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid_data() {
+    QTest::addColumn<CoarseOperator>("kind");
+    for (const CoarseOperator kind : all_coarse_operators) {
+        QTest::newRow(name(kind).data()) << kind;
+    }
+}
+
+void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid() {
+    // Layers on a curved wall, largest aspect ratio 4e5, and all that lies between them and the
+    // isotropic far field.
+    QFETCH(CoarseOperator, kind);
+    static const grids::Grids<3> g = grids::coarsened(
+        std::get<Mesh<3>>(make_case(
+            "shell",
+            {{"a", "3"}, {"b", "2"}, {"c", "1"}, {"aspect-ratio", "1e5"}, {"frequency", "4"}})),
+        4);
+    const LevelEquations equations = poisson(g, kind);
+    const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+    CycleOptions options;
+    options.before = options.after = 2;
+    const CycleStudy study = study_cycle(equations, options, load);
+    QVERIFY2(study.factor <= 0.3, qPrintable(QString::number(study.factor)));
+    QVERIFY(study.krylov.iterations <= 8);
 }
 
 void ConvergenceTest::full_coarsening_by_the_same_ratio_fails() {
