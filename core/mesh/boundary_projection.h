@@ -49,7 +49,8 @@ public:
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const std::vector<int>& patches) const;
 
     /// The nearest point of the nodes (D = 2) or edges (D = 3) between the first two of `patches`;
-    /// no valid nodes where they do not meet. The nodes of an edge come first, the second one twice.
+    /// no valid nodes where they do not meet. The nodes of an edge come first, the second one
+    /// twice.
     [[nodiscard]] BoundaryPoint<D> project_on_border(const Vec<D>& p,
                                                      const std::vector<int>& patches) const;
 

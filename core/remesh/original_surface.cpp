@@ -137,7 +137,7 @@ auto BoundaryDistance<D>::find(Patch& patch, ElementId ghost) -> Face* {
 
 template <int D>
 void BoundaryDistance<D>::measure_faces(const EditMesh<D>& mesh, const OriginalSurface<D>& original,
-                                       int number, Patch& before, Patch& patch) {
+                                        int number, Patch& before, Patch& patch) {
     parallel_for(patch.faces.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Face& face = patch.faces[i];
@@ -154,7 +154,7 @@ void BoundaryDistance<D>::measure_faces(const EditMesh<D>& mesh, const OriginalS
 
 template <int D>
 void BoundaryDistance<D>::attach_nodes(const OriginalSurface<D>& original, int number,
-                                      Patch& patch) {
+                                       Patch& patch) {
     std::vector<Box<D>> boxes(patch.faces.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (const Vec<D>& x : patch.faces[i].corners) {

@@ -10,8 +10,8 @@ namespace ameco {
 struct SurfaceRules {
     double largest_turn_deg =
         30; ///< between the normals of a new face and the one it replaces [deg]
-    double relative_distance = 0.13; ///< bound on the distance to the finest boundary, over the
-                                     ///< mean edge of the new faces [-]
+    double relative_distance = 0.1; ///< bound on the distance to the finest boundary, over the
+                                    ///< mean edge of the new faces [-]
     double layer_share = 0.5; ///< one operation may move the boundary by this share of h_1 [-]
 };
 

@@ -27,7 +27,7 @@ std::vector<Peer> known_peers() {
     return {// Without -hgrad -1 layers become isotropic.
             {"mmg", "--mmg", "-in in.meshb -sol in.solb -out out.meshb -hgrad -1", true, ""},
             // To refine edges lie on curves of a CAD model, which there is none of. Five passes a
-            // cycle: three cycles of its 30 take longer and conform no better.
+            // cycle, not its 30 of one call: the metric is evaluated anew between.
             {"refine", "--refine", "adapt in.meshb --metric in.solb -x out.meshb -s 5", false, ""}};
 }
 

@@ -72,7 +72,7 @@ private slots:
             QVERIFY2(report.check.valid(), report.check.summary().c_str());
             const auto fits = boundary_fit::measure(level, finest);
             QVERIFY(fits.at(wall).over_short <= 0.5);
-            QVERIFY(fits.at(wall).over_edge <= 0.13);
+            QVERIFY(fits.at(wall).over_edge <= 0.1);
             if (aspect >= 1e5) {
                 QVERIFY(fits.at(wall).over_edge < 1e-12);
             }

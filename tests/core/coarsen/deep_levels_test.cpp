@@ -29,7 +29,7 @@ private slots:
             QVERIFY(std::abs(report.check.volume / volume - 1) < 0.06);
             const auto fit = boundary_fit::measure(level, finest).at(1);
             QVERIFY(fit.over_short < 1); // the surface has not passed the first layer
-            QVERIFY(fit.over_edge <= 0.13);
+            QVERIFY(fit.over_edge <= 0.1);
             const double ratio =
                 static_cast<double>(report.nodes_before) / static_cast<double>(report.nodes_after);
             if (ratio < 1.05) {
