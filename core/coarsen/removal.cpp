@@ -169,7 +169,7 @@ private:
         const auto slots =
             apply_collapse(mesh_, {.removed = v, .kept = w}, ball_, star_, patch_.lane());
         in_.removed.move(ball_.elements, slots, patch_.lane());
-        in_.notes.template replaced<D>(slots, star_.elements, mesh_, patch_.lane());
+        in_.notes.replaced(slots, star_.elements, mesh_, patch_.lane());
         verdicts_.add(Verdict::accepted);
         const auto neighbours = in_.couplings.neighbours[v];
         const auto values = in_.couplings.at(v);

@@ -25,7 +25,7 @@ struct EditNotes {
     /// After `EditMesh::replace`: qualities of the new elements are not known.
     /// \param in  the slots of `fresh`
     template <int D>
-    void replaced(std::span<const ElementId> in, std::span<const EditElement<D>> fresh,
+    void replaced(std::span<const ElementId> in, const std::vector<EditElement<D>>& fresh,
                   const EditMesh<D>& mesh, std::size_t lane) {
         resize(mesh.slot_count());
         for (const ElementId e : in) {

@@ -60,7 +60,7 @@ public:
         (void)in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_);
         const auto slots = mesh_.replace(cavity.elements, star.elements, star.sources, lane_);
         in_.removed.move(cavity.elements, slots, lane_);
-        in_.notes.template replaced<D>(slots, star.elements, mesh_, lane_);
+        in_.notes.replaced(slots, star.elements, mesh_, lane_);
     }
 
 private:

@@ -42,7 +42,7 @@ private slots:
                 QVERIFY(report.nodes_after < 700); // with distances summed up 860 are left
                 return;
             }
-            if (aspect > 20) {
+            if (aspect > 100) { // below, a layer or two are left, and the surfaces decide
                 // What is left when every other layer goes: few layers cannot be halved often.
                 shell.every = 1 << (k - 1);
                 const auto fine = static_cast<double>(make_shell(shell).points.size());

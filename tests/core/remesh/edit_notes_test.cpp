@@ -28,7 +28,7 @@ private slots:
             if (propose_collapse(bench.edit, bench.sizes, {}, {.floor = 0, .share = 0}, 1, collapse,
                                  ball, star) == Verdict::accepted) {
                 const auto fresh = apply_collapse(bench.edit, collapse, ball, star);
-                bench.notes.replaced<3>(fresh, star.elements, bench.edit, 0);
+                bench.notes.replaced(fresh, star.elements, bench.edit, 0);
                 break;
             }
         }
