@@ -12,26 +12,8 @@ using namespace ameco::remesh_test;
 
 namespace {
 
-/// Tries random collapses along the boundary, which may move it far.
-template <int D>
-void collapse_some(Workbench<D>& bench, std::mt19937& random, int attempts) {
-    Cavity<D> ball;
-    Star<D> star;
-    for (int i = 0; i < attempts; ++i) {
-        const NodeId v(random() % bench.edit.node_count());
-        if (bench.edit.is_removed(v) || !bench.edit.on_boundary(v)) {
-            continue;
-        }
-        const auto around = neighbours(bench.edit, v);
-        const Collapse collapse{v, around[random() % around.size()]};
-        gather_ball(bench.edit, v, ball);
-        if (propose_collapse(bench.edit, bench.sizes,
-                             {.largest_turn_deg = 60, .relative_distance = 9, .layer_share = 1e9},
-                             {0, 0}, 1, collapse, ball, star) == Verdict::accepted) {
-            apply_collapse(bench.edit, collapse, ball, star);
-        }
-    }
-}
+/// For collapses that may move the boundary far.
+constexpr SurfaceRules loose{.largest_turn_deg = 60, .relative_distance = 9, .layer_share = 1e9};
 
 struct Bounds {
     double largest = 0, sum = 0;
@@ -67,7 +49,7 @@ void measure_often(const Mesh<D>& mesh) {
     BoundaryDistance<D> again;
     bool less = false;
     for (int pass = 0; pass < 5; ++pass) {
-        collapse_some(bench, random, 200);
+        (void)collapse_boundary_nodes(bench, random, 200, loose);
         const double summed = bounds_of(bench.edit.compact().classes).sum;
         again.measure(bench.edit);
         const auto now = bench.edit.compact();
@@ -100,7 +82,7 @@ private slots:
     void planes_do_not_move() {
         Workbench<3> bench(shapes::cube(4));
         std::mt19937 random(1);
-        collapse_some(bench, random, 200);
+        (void)collapse_boundary_nodes(bench, random, 200, loose);
         BoundaryDistance<3>().measure(bench.edit);
         QCOMPARE_LE(bounds_of(bench.edit.compact().classes).largest, 1e-15);
     }
@@ -113,7 +95,7 @@ private slots:
             std::mt19937 random(2);
             BoundaryDistance<3> distance;
             for (int pass = 0; pass < 2; ++pass) {
-                collapse_some(bench, random, 300);
+                (void)collapse_boundary_nodes(bench, random, 300, loose);
                 distance.measure(bench.edit);
             }
             made[k] = bench.edit.compact().classes.deviation;

@@ -9,6 +9,7 @@
 #include "core/mesh/check.h"
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/cavity.h"
+#include "core/remesh/collapse.h"
 #include "core/remesh/edit_notes.h"
 #include "core/remesh/metric_quality.h"
 #include "core/remesh/removed_nodes.h"
@@ -123,6 +124,31 @@ template <int D>
     found.erase(v);
     found.erase(mesh.ghost());
     return {found.begin(), found.end()};
+}
+
+/// Tries collapses of random nodes of the boundary, each along a random edge; any positive quality
+/// will do. Returns how many were made.
+template <int D>
+std::size_t collapse_boundary_nodes(Workbench<D>& bench, std::mt19937& random, int attempts,
+                                    const SurfaceRules& surface) {
+    Cavity<D> ball;
+    Star<D> star;
+    std::size_t made = 0;
+    for (int i = 0; i < attempts; ++i) {
+        const NodeId v(random() % bench.edit.node_count());
+        if (bench.edit.is_removed(v) || !bench.edit.on_boundary(v)) {
+            continue;
+        }
+        const auto around = neighbours(bench.edit, v);
+        const Collapse collapse{v, around[random() % around.size()]};
+        gather_ball(bench.edit, v, ball);
+        if (propose_collapse(bench.edit, bench.sizes, surface, {0, 0}, 1, collapse, ball, star) ==
+            Verdict::accepted) {
+            (void)apply_collapse(bench.edit, collapse, ball, star);
+            ++made;
+        }
+    }
+    return made;
 }
 
 /// Signed volume of an element under edit.

@@ -90,24 +90,9 @@ template <int D>
 void accumulate(const Mesh<D>& mesh, int attempts, std::size_t at_least) {
     Workbench<D> bench(mesh);
     std::mt19937 random(6);
-    Cavity<D> ball;
-    Star<D> star;
-    std::size_t accepted = 0;
-    for (int i = 0; i < attempts; ++i) {
-        const NodeId v(random() % bench.edit.node_count());
-        if (bench.edit.is_removed(v) || !bench.edit.on_boundary(v)) {
-            continue;
-        }
-        const auto around = neighbours(bench.edit, v);
-        const Collapse collapse{v, around[random() % around.size()]};
-        gather_ball(bench.edit, v, ball);
-        if (propose_collapse(bench.edit, bench.sizes,
-                             {.largest_turn_deg = 45, .relative_distance = 1, .layer_share = 1e9},
-                             {0, 0}, 1, collapse, ball, star) == Verdict::accepted) {
-            apply_collapse(bench.edit, collapse, ball, star);
-            ++accepted;
-        }
-    }
+    const std::size_t accepted = collapse_boundary_nodes(
+        bench, random, attempts,
+        {.largest_turn_deg = 45, .relative_distance = 1, .layer_share = 1e9});
     QCOMPARE_GE(accepted, at_least);
     const auto compact = bench.edit.compact();
     double largest = 0;
