@@ -51,7 +51,10 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
             const auto changed = [&](NodeId v) { return mesh.changed_since(v, since); };
             if (std::any_of(s.begin(), s.end(), changed) &&
                 !std::all_of(s.begin(), s.end(), is_held)) {
-                around.find(mesh.edit, e);
+                const double quality = rules.quality(e);
+                around.find(mesh.edit, e, [&](ElementId f) {
+                    return !mesh.edit.is_ghost(f) && rules.quality(f) < quality;
+                });
                 made += search.mend(e, around) ? 1 : 0;
             }
         }

@@ -97,6 +97,19 @@ struct ElementMeasures {
     double h2 = 0; ///< mean square length (18)
 };
 
+/// h_M^2 (18).
+/// \param x        corners
+/// \param inverse  of S
+template <int D>
+[[nodiscard]] double mean_square_length(const std::array<Vec<D>, D + 1>& x,
+                                        const SymmetricInverse<D>& inverse) {
+    double sum = 0;
+    for (const auto& [i, j] : SimplexNumbering<D>::edges) {
+        sum += squared_norm(inverse.adj, x[j] - x[i]);
+    }
+    return sum / (inverse.det * inverse.det) / SimplexNumbering<D>::edge_count;
+}
+
 /// \param x        corners
 /// \param inverse  of S
 template <int D>

@@ -14,33 +14,14 @@ bool contains(const Nodes& nodes, NodeId v) {
     return std::find(nodes.begin(), nodes.end(), v) != nodes.end();
 }
 
+/// Of a node that a simplex has, without a branch.
 template <int D>
-void add_facets_opposite(const EditMesh<D>& mesh, ElementId e, NodeId v, Cavity<D>& cavity) {
-    const Simplex<D>& s = mesh.nodes(e);
-    for (int i = 0; i <= D; ++i) {
-        if (s[i] == v) {
-            cavity.facets.push_back(facet_of<D>(s, i));
-            cavity.inside.push_back(e);
-        }
+int position_in(const Simplex<D>& s, NodeId v) {
+    int position = 0;
+    for (int i = 1; i <= D; ++i) {
+        position += s[i] == v ? i : 0;
     }
-}
-
-template <int D>
-void add_to_shell(const EditMesh<D>& mesh, ElementId e, NodeId a, NodeId b, Cavity<D>& cavity) {
-    const Simplex<D>& s = mesh.nodes(e);
-    cavity.elements.push_back(e);
-    for (const NodeId v : {a, b}) {
-        const auto i = static_cast<int>(std::find(s.begin(), s.end(), v) - s.begin());
-        cavity.facets.push_back(facet_of<D>(s, i));
-    }
-    cavity.inside.insert(cavity.inside.end(), 2, e);
-}
-
-template <int D>
-void clear(Cavity<D>& cavity) {
-    cavity.elements.clear();
-    cavity.facets.clear();
-    cavity.inside.clear();
+    return position;
 }
 
 } // namespace
@@ -57,75 +38,59 @@ bool is_positive(const EditMesh<D>& mesh, const Simplex<D>& s) {
 
 template <int D>
 void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity) {
-    clear(cavity);
-    for (const ElementId e : mesh.ball(v)) {
-        cavity.elements.push_back(e);
-        add_facets_opposite(mesh, e, v, cavity);
+    const auto ball = mesh.ball(v);
+    cavity.elements.assign(ball.begin(), ball.end());
+    cavity.inside.assign(ball.begin(), ball.end());
+    cavity.facets.resize(ball.size());
+    for (std::size_t k = 0; k < ball.size(); ++k) {
+        const Simplex<D>& s = mesh.nodes(ball[k]);
+        cavity.facets[k] = facet_of<D>(s, position_in<D>(s, v));
     }
 }
 
 template <int D>
 void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity) {
-    clear(cavity);
-    if (mesh.ball(b).size() < mesh.ball(a).size()) {
-        std::swap(a, b);
-    }
-    for (const ElementId e : mesh.ball(a)) {
-        if (contains(mesh.nodes(e), b)) {
-            add_to_shell(mesh, e, a, b, cavity);
+    std::vector<ElementId> shell;
+    const bool quicker = mesh.ball(b).size() < mesh.ball(a).size();
+    for (const ElementId e : mesh.ball(quicker ? b : a)) {
+        if (contains(mesh.nodes(e), quicker ? a : b)) {
+            shell.push_back(e);
         }
     }
+    gather_shell<D>(mesh, a, b, shell, cavity);
 }
 
 template <int D>
 void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, std::span<const ElementId> elements,
                   Cavity<D>& cavity) {
-    clear(cavity);
     if (mesh.ball(b).size() < mesh.ball(a).size()) {
         std::swap(a, b);
     }
-    for (const ElementId e : elements) {
-        add_to_shell(mesh, e, a, b, cavity);
+    cavity.elements.assign(elements.begin(), elements.end());
+    cavity.facets.resize(2 * elements.size());
+    cavity.inside.resize(2 * elements.size());
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const Simplex<D>& s = mesh.nodes(elements[k]);
+        cavity.facets[2 * k] = facet_of<D>(s, position_in<D>(s, a));
+        cavity.facets[2 * k + 1] = facet_of<D>(s, position_in<D>(s, b));
+        cavity.inside[2 * k] = cavity.inside[2 * k + 1] = elements[k];
     }
 }
 
 template <int D>
 void gather_pair(const EditMesh<D>& mesh, ElementId e, ElementId f, Cavity<D>& cavity) {
-    clear(cavity);
     cavity.elements = {e, f};
+    cavity.facets.resize(2 * D);
+    cavity.inside.resize(2 * D);
+    std::size_t k = 0;
     for (const auto& [inside, other] : {std::pair(e, f), std::pair(f, e)}) {
-        for (const NodeId v : mesh.nodes(inside)) {
-            if (contains(mesh.nodes(other), v)) { // all but the facet between the two
-                add_facets_opposite(mesh, inside, v, cavity);
+        const Simplex<D>& s = mesh.nodes(inside);
+        for (int i = 0; i <= D; ++i) {
+            if (contains(mesh.nodes(other), s[i])) { // all but the facet between the two
+                cavity.facets[k] = facet_of<D>(s, i);
+                cavity.inside[k++] = inside;
             }
         }
-    }
-}
-
-template <int D>
-Simplex<D> join_facet(const Facet<D>& facet, NodeId node, NodeId ghost) {
-    if constexpr (D == 2) {
-        const NodeId a = facet[0], b = facet[1];
-        if (a == ghost) {
-            return {b, node, a};
-        }
-        if (b == ghost) {
-            return {node, a, b};
-        }
-        return {a, b, node};
-    } else {
-        const NodeId a = facet[0], b = facet[2], c = facet[1];
-        // Even permutations of (a, b, c, node).
-        if (a == ghost) {
-            return {b, node, c, a};
-        }
-        if (b == ghost) {
-            return {a, c, node, b};
-        }
-        if (c == ghost) {
-            return {a, node, b, c};
-        }
-        return {a, b, c, node};
     }
 }
 
@@ -211,7 +176,6 @@ double worst_quality(const EditMesh<D>& mesh, const Cavity<D>& cavity) {
     template void gather_shell(const EditMesh<D>&, NodeId, NodeId, std::span<const ElementId>,     \
                                Cavity<D>&);                                                        \
     template void gather_pair(const EditMesh<D>&, ElementId, ElementId, Cavity<D>&);               \
-    template Simplex<D> join_facet<D>(const Facet<D>&, NodeId, NodeId);                            \
     template void join_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);               \
     template Verdict test_star(const EditMesh<D>&, const Star<D>&);                                \
     template Verdict make_star(const EditMesh<D>&, const Cavity<D>&, NodeId, Star<D>&);            \

@@ -53,7 +53,31 @@ template <int D>
 /// The element on a facet of a cavity (normal outwards) and a node that is not on it; the ghost, if
 /// any, in the last place.
 template <int D>
-[[nodiscard]] Simplex<D> join_facet(const Facet<D>& facet, NodeId node, NodeId ghost);
+[[nodiscard]] Simplex<D> join_facet(const Facet<D>& facet, NodeId node, NodeId ghost) {
+    if constexpr (D == 2) {
+        const NodeId a = facet[0], b = facet[1];
+        if (a == ghost) {
+            return {b, node, a};
+        }
+        if (b == ghost) {
+            return {node, a, b};
+        }
+        return {a, b, node};
+    } else {
+        const NodeId a = facet[0], b = facet[2], c = facet[1];
+        // Even permutations of (a, b, c, node).
+        if (a == ghost) {
+            return {b, node, c, a};
+        }
+        if (b == ghost) {
+            return {a, c, node, b};
+        }
+        if (c == ghost) {
+            return {a, node, b, c};
+        }
+        return {a, b, c, node};
+    }
+}
 
 /// Joins `node` to all facets of the cavity that do not contain it, without a look at orientations.
 template <int D>

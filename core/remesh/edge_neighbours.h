@@ -3,6 +3,7 @@
 /// The elements that share an edge with one.
 #pragma once
 
+#include "core/mesh/simplex.h"
 #include "core/remesh/edit_mesh.h"
 
 #include <array>
@@ -12,8 +13,11 @@
 namespace ameco {
 
 /// The elements at the edges of one element, itself and ghost elements among them, by its corners:
-/// found in one walk through the balls of its nodes, where the shells of all its edges, the
-/// elements behind its faces and the patch they lie in can be read off.
+/// found in one walk through the balls of its nodes, where the shells of its edges, the elements
+/// behind its faces and the patch they lie in can be read off.
+///
+/// A swap is the matter of the worst element in its cavity. Edges where another one is worse are
+/// closed, and the walk goes only as far as there are open ones.
 template <int D>
 class EdgeNeighbours {
 public:
@@ -22,22 +26,24 @@ public:
         std::uint8_t shared = 0; ///< bit i: it has corner i
     };
 
-    void find(const EditMesh<D>& mesh, ElementId e) {
+    /// \param is_worse  whether an element closes its edges; asked of all elements at open edges
+    ///                  and behind faces
+    template <class Worse>
+    void find(const EditMesh<D>& mesh, ElementId e, const Worse& is_worse) {
         const Simplex<D>& s = mesh.nodes(e);
+        sort_corners(mesh, s);
         if (corner_.size() < mesh.node_count()) {
             corner_.resize(mesh.node_count(), 0);
         }
         for (int i = 0; i <= D; ++i) {
             corner_[s[i]] = static_cast<std::uint8_t>(1U << i);
-        }
-        for (int i = 0; i <= D; ++i) {
-            ball_size_[i] = mesh.ball(s[i]).size();
             at_[i].clear();
-            for (const ElementId f : mesh.ball(s[i])) {
-                const unsigned shared = shared_corners(mesh, mesh.nodes(f));
-                if ((shared & (shared - 1)) != 0) { // two at least
-                    at_[i].push_back({f, static_cast<std::uint8_t>(shared)});
-                }
+        }
+        closed_ = 0;
+        for (int k = 0; k < D; ++k) {
+            // Behind two corners there is only the edge between the two last ones.
+            if (k < 2 || is_open(order_[D - 1], order_[D])) {
+                walk_ball(mesh, s, order_[k], is_worse);
             }
         }
         for (const NodeId v : s) {
@@ -45,18 +51,22 @@ public:
         }
     }
 
-    /// Those at corner i, in the order of its ball.
+    /// Whether no element at the edge between two corners is worse.
+    [[nodiscard]] bool is_open(int i, int j) const {
+        return (closed_ >> edge_number(i, j) & 1U) == 0;
+    }
+
+    /// Those at corner i, in the order of its ball. None at corners that were not needed: an open
+    /// edge has another end.
     [[nodiscard]] const std::vector<Neighbour>& at(int i) const { return at_[i]; }
 
-    /// The end of the edge i, j with the smaller ball: that of i where they are equal.
-    [[nodiscard]] int quicker_end(int i, int j) const {
-        return ball_size_[j] < ball_size_[i] ? j : i;
-    }
+    /// The end of an open edge whose ball was walked, the smaller one.
+    [[nodiscard]] int quicker_end(int i, int j) const { return rank_[j] < rank_[i] ? j : i; }
 
     /// The element behind the facet opposite corner i, none if that is at the end of the mesh.
     [[nodiscard]] ElementId behind(int i) const {
         constexpr unsigned all = (1U << (D + 1)) - 1;
-        for (const Neighbour& n : at_[i == 0 ? 1 : 0]) {
+        for (const Neighbour& n : at_[order_[0] == i ? order_[1] : order_[0]]) {
             if (n.shared == (all ^ (1U << i))) {
                 return n.element;
             }
@@ -65,6 +75,36 @@ public:
     }
 
 private:
+    /// By the size of their balls; of equal ones the first is first.
+    void sort_corners(const EditMesh<D>& mesh, const Simplex<D>& s) {
+        for (int i = 0; i <= D; ++i) {
+            int k = i;
+            for (; k > 0 && mesh.ball(s[i]).size() < mesh.ball(s[order_[k - 1]]).size(); --k) {
+                order_[k] = order_[k - 1];
+            }
+            order_[k] = i;
+        }
+        for (int k = 0; k <= D; ++k) {
+            rank_[order_[k]] = k;
+        }
+    }
+
+    template <class Worse>
+    void walk_ball(const EditMesh<D>& mesh, const Simplex<D>& s, int i, const Worse& is_worse) {
+        for (const ElementId f : mesh.ball(s[i])) {
+            const unsigned shared = shared_corners(mesh, mesh.nodes(f));
+            if ((shared & (shared - 1)) == 0) { // one corner only
+                continue;
+            }
+            at_[i].push_back({f, static_cast<std::uint8_t>(shared)});
+            const unsigned edges = edges_between[shared];
+            const bool has_facet = edges_between[shared & (shared - 1)] != 0;
+            if (((edges & ~closed_) != 0 || has_facet) && is_worse(f)) {
+                closed_ |= edges;
+            }
+        }
+    }
+
     unsigned shared_corners(const EditMesh<D>& mesh, const Simplex<D>& other) const {
         unsigned shared = other[D] == mesh.ghost() ? 0 : corner_[other[D]];
         for (int k = 0; k < D; ++k) {
@@ -73,9 +113,34 @@ private:
         return shared;
     }
 
+    static constexpr int edge_number(int i, int j) {
+        constexpr auto edges = SimplexNumbering<D>::edges;
+        int number = 0;
+        while (!(edges[number][0] == i && edges[number][1] == j) &&
+               !(edges[number][0] == j && edges[number][1] == i)) {
+            ++number;
+        }
+        return number;
+    }
+
+    /// Edges whose ends are both in a set of corners, as bits.
+    static constexpr std::array<std::uint8_t, 1U << (D + 1)> edges_between = [] {
+        std::array<std::uint8_t, 1U << (D + 1)> sets{};
+        for (unsigned corners = 0; corners < sets.size(); ++corners) {
+            for (int k = 0; k < SimplexNumbering<D>::edge_count; ++k) {
+                const auto [i, j] = SimplexNumbering<D>::edges[k];
+                if ((corners >> i & 1U) != 0 && (corners >> j & 1U) != 0) {
+                    sets[corners] |= static_cast<std::uint8_t>(1U << k);
+                }
+            }
+        }
+        return sets;
+    }();
+
     IdVector<NodeId, std::uint8_t> corner_; ///< of the element being looked at, as bits; 0: none
     std::array<std::vector<Neighbour>, D + 1> at_;
-    std::array<std::size_t, D + 1> ball_size_{};
+    std::array<int, D + 1> order_{}, rank_{}; ///< of the corners, see `sort_corners`
+    unsigned closed_ = 0;                     ///< edges, as bits
 };
 
 } // namespace ameco

@@ -89,13 +89,39 @@ Verdict allowed_to_leave(const EditMesh<D>& mesh, NodeId a, NodeId b, const Cavi
     return has_one_label(mesh, shell) ? Verdict::accepted : Verdict::region_border;
 }
 
+namespace {
+
+NodeId next_in_ring(const Simplex<2>& s, NodeId a, NodeId b) {
+    return *std::find_if(s.begin(), s.end(), [&](NodeId v) { return v != a && v != b; });
+}
+
+/// Of the two nodes that an element adds to the edge a, b, the first one as seen along the edge:
+/// elements around it have different ones.
+NodeId next_in_ring(const Simplex<3>& s, NodeId a, NodeId b) {
+    // Corner k such that (i, j, k, l) is an even permutation.
+    constexpr std::array<std::array<int, 4>, 4> next{
+        {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}}};
+    int i = 0, j = 0;
+    for (int k = 1; k < 4; ++k) {
+        i += s[k] == a ? k : 0;
+        j += s[k] == b ? k : 0;
+    }
+    return s[next[i][j]];
+}
+
+} // namespace
+
 template <int D>
 void shell_ring(const EditMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell,
                 std::vector<NodeId>& ring) {
     ring.clear();
     const bool ghosts_only = at_boundary(mesh, shell);
     for (const ElementId e : shell.elements) {
-        if (ghosts_only && !mesh.is_ghost(e)) {
+        if (!ghosts_only) {
+            ring.push_back(next_in_ring(mesh.nodes(e), a, b));
+            continue;
+        }
+        if (!mesh.is_ghost(e)) {
             continue;
         }
         for (const NodeId v : mesh.nodes(e)) {

@@ -7,11 +7,11 @@
 namespace ameco {
 namespace {
 
+/// Q_F Q_S = V / h_M^D min(h_M^D, h_M^-D).
+/// \param h2  h_M^2
 template <int D>
-double original_quality(const ElementMeasures<D>& m) {
-    const double h_d = rms_power(m);
-    const double size = std::min(h_d, 1 / h_d);
-    return std::max(0.0, m.volume / h_d * size);
+double original_quality(double volume, double h2) {
+    return std::max(0.0, h2 <= 1 ? volume : volume / (D == 2 ? h2 * h2 : h2 * h2 * h2));
 }
 
 template <int D>
@@ -59,7 +59,7 @@ MetricQualities metric_qualities(const std::array<Vec<D>, D + 1>& x,
         }
     }
     const ElementMeasures<D> m = element_measures<D>(x, invert(mean));
-    return {original_quality(m), modified_quality(m)};
+    return {original_quality<D>(m.volume, m.h2), modified_quality(m)};
 }
 
 template <int D>
@@ -74,7 +74,7 @@ double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root, const S
     case Quality::shape:
         return shape_quality(m);
     case Quality::original:
-        return original_quality(m);
+        return original_quality<D>(m.volume, m.h2);
     case Quality::modified:
         break;
     }
@@ -95,7 +95,7 @@ double metric_quality_above(const EditMesh<D>& mesh, const RootField<D>& root,
     if (volume <= least) {
         return volume;
     }
-    return original_quality(element_measures<D>(x, inverse));
+    return original_quality<D>(volume, mean_square_length<D>(x, inverse));
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

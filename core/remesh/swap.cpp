@@ -92,8 +92,7 @@ public:
             !notes_.changes.edge_changed_since(mesh_.nodes(e), notes_.element_tried[e.index()])) {
             return true; // after changes beside it
         }
-        around_.find(mesh_, e);
-        if (!may_mend()) {
+        if (!look_around(e)) {
             return false;
         }
         if (!search_.mend(e, around_)) {
@@ -103,24 +102,20 @@ public:
     }
 
 private:
-    /// Whether all that the search looks at is within the patch, which is all elements that share
-    /// an edge with this one, and there is room for what a swap adds: fewer elements than its shell
-    /// has.
-    bool may_mend() const {
-        if (patch_.is_whole()) {
-            return true;
-        }
-        if (mesh_.free_slots(patch_.lane()) < options_.largest_shell) {
+    /// \return  whether all that the search looks at is within the patch, which is elements that
+    ///          share an edge with this one, and there is room for what a swap adds: fewer elements
+    ///          than its shell has
+    bool look_around(ElementId e) {
+        if (!patch_.is_whole() && mesh_.free_slots(patch_.lane()) < options_.largest_shell) {
             return false;
         }
-        for (int i = 0; i <= D; ++i) {
-            for (const auto& neighbour : around_.at(i)) {
-                if (!patch_.holds(mesh_, neighbour.element)) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        const double quality = rules_.quality(e);
+        bool within = true;
+        around_.find(mesh_, e, [&](ElementId f) {
+            within = within && (patch_.is_whole() || patch_.holds(mesh_, f));
+            return within && !mesh_.is_ghost(f) && rules_.quality(f) < quality;
+        });
+        return within;
     }
 
     EditMesh<D>& mesh_;

@@ -29,7 +29,7 @@ struct SwapOptions {
 ///     double quality(ElementId e);                    // of an element as it stands
 ///     double quality(const Simplex<D>& s, double least); // of one that may come: exact only
 ///                                                        // where it is above `least`
-///     void look_at(const Cavity<D>&);                 // before its stars are judged
+///     void look_at(const Cavity<D>&);                 // before the first of its stars is judged
 ///     Verdict judge(const Cavity<D>&, Star<D>&);      // once the worst quality is good enough
 ///     double short_size(NodeId v);                    // for the rules of the boundary [L]
 ///     void make(const Cavity<D>&, const Star<D>&);    // replaces the one with the other
@@ -41,7 +41,7 @@ public:
         : mesh_(mesh), rules_(rules), options_(options), surface_(surface), verdicts_(verdicts) {}
 
     /// Tries the swaps at one element; true if one was made.
-    /// \param around  of the element
+    /// \param around  of the element; edges are closed by elements of less quality
     bool mend(ElementId e, const EdgeNeighbours<D>& around) {
         element_ = e;
         best_quality_ = 0;
@@ -65,9 +65,10 @@ public:
 private:
     /// The edge between two corners of the element.
     void try_edge(int i, int j, const EdgeNeighbours<D>& around) {
-        if (!gather_shell_of_worst(i, j, around)) {
+        if (!around.is_open(i, j)) {
             return; // this shell is the matter of a worse element
         }
+        gather_elements(i, j, around);
         if (shell_.size() > options_.largest_shell) {
             note(Verdict::cavity_too_large);
             return;
@@ -84,21 +85,15 @@ private:
         try_stars(ring_);
     }
 
-    /// Whether no element at the edge is worse than the one that is to be mended; all of them are
-    /// in shell_ then.
-    bool gather_shell_of_worst(int i, int j, const EdgeNeighbours<D>& around) {
+    /// The elements at an edge between two corners.
+    void gather_elements(int i, int j, const EdgeNeighbours<D>& around) {
         const int end = around.quicker_end(i, j), other = i + j - end;
-        const double quality = rules_.quality(element_);
         shell_.clear();
         for (const auto& n : around.at(end)) {
             if ((n.shared >> other & 1) != 0) {
-                if (!mesh_.is_ghost(n.element) && rules_.quality(n.element) < quality) {
-                    return false;
-                }
                 shell_.push_back(n.element);
             }
         }
-        return true;
     }
 
     /// The face opposite corner i: 2 elements become 3 around the edge to the node behind.
@@ -118,7 +113,7 @@ private:
     }
 
     void try_stars(const std::vector<NodeId>& nodes) {
-        rules_.look_at(cavity_);
+        seen_ = false;
         const double needed = rules_.quality(element_) * options_.gain;
         for (const NodeId node : nodes) {
             const Verdict verdict = judge_star(node, std::max(needed, best_quality_));
@@ -153,6 +148,10 @@ private:
                                              node, star_);
         }
         if (verdict == Verdict::accepted) {
+            if (!seen_) { // most cavities have no star that comes so far
+                rules_.look_at(cavity_);
+                seen_ = true;
+            }
             verdict = rules_.judge(cavity_, star_);
         }
         if (verdict == Verdict::accepted) {
@@ -184,6 +183,7 @@ private:
     std::vector<ElementId> shell_;
     std::vector<NodeId> ring_;
     ElementId element_;
+    bool seen_ = false; ///< the cavity, by the rules
     double best_quality_ = 0;
     Verdict best_verdict_ = Verdict::no_improvement;
 };
