@@ -151,7 +151,6 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     report.nodes_before = static_cast<std::int64_t>(fine.mesh.points.size());
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     report.predicted_nodes = predicted_nodes(fine, target);
-    report.conformity_before = conformity(fine.mesh, fine.natural);
     LevelData<D> data;
     prepare_metrics(fine, target, data);
     data.directions = coarsened_directions(fine.natural, target);

@@ -41,9 +41,10 @@ struct CoarsenOptions {
     TargetOptions target;
     FeatureOptions features;
     LineOptions lines;
-    RemovalOptions removal;         ///< with the rules for the boundary, which the swaps obey too
-    SwapOptions swaps{.rounds = 2}; ///< a third would mend one element in a thousand
-    int passes = 6;                 ///< removal passes, >= 1; swaps come after each
+    RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
+    /// A third round would mend one element in a thousand.
+    SwapOptions swaps{.below = 0.5, .rounds = 2, .below_again = 0.75};
+    int passes = 6; ///< removal passes, >= 1; swaps come after each
     CoarseNodes nodes = CoarseNodes::nested;
     FitOptions fit;                     ///< for moved nodes
     std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more
@@ -77,7 +78,6 @@ struct CoarsenReport {
     double deviation = 0;          ///< bound of the boundary's distance to the finest one [L]
     double deviation_relative = 0; ///< largest bound of a face over its own mean edge [-]
     Conformity conformity;         ///< of the coarse mesh to the target metric
-    Conformity conformity_before;  ///< of the fine mesh to its own natural metric: the yardstick
     PhaseSeconds seconds;
     CheckReport check; ///< of the coarse mesh: always made, always valid
 };

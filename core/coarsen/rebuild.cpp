@@ -402,7 +402,6 @@ Level<3> rebuild_level(const Level<3>& fine, const CoarsenOptions& options, Coar
     report.elements_before = static_cast<std::int64_t>(fine.mesh.elements.size());
     const MetricField<3> target = target_metric(fine.mesh, fine.natural, options.target);
     report.predicted_nodes = predicted_nodes(fine, target);
-    report.conformity_before = conformity(fine.mesh, fine.natural);
     report.seconds.metric = watch.lap();
 
     const Couplings couplings = make_couplings(fine.mesh);

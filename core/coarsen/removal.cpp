@@ -107,11 +107,10 @@ private:
         bool crowded = false;
         candidates_.clear();
         for (const NodeId w : neighbours_) {
-            const bool close =
-                (!first_pass || state_.kept[w] != 0) && too_close(v, w, options_.reach);
-            crowded = crowded || close;
-            if (first_pass ? close : too_close(v, w, options_.later_reach)) {
+            if (first_pass ? state_.kept[w] != 0 && too_close(v, w, options_.reach)
+                           : too_close(v, w, options_.later_reach)) {
                 candidates_.push_back(w);
+                crowded = crowded || first_pass || too_close(v, w, options_.reach);
             }
         }
         if (!crowded || (!first_pass && !is_crowded(v))) {
@@ -223,11 +222,16 @@ private:
     /// short ones among them would shift whole columns.
     bool too_close(NodeId v, NodeId w, double reach) const {
         constexpr double untouched = 0.4;
-        const double target = target_length(v, w);
+        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
+        const double from_v = (in_.target[v] * e).squaredNorm();
+        const double from_w = (in_.target[w] * e).squaredNorm();
+        if (from_v * from_w >= reach * reach * reach * reach) {
+            return false; // the length is no less than the geometric mean
+        }
+        const double target = edge_length(std::sqrt(from_v), std::sqrt(from_w));
         if (target >= reach) {
             return false;
         }
-        const Vec<D> e = mesh_.point(w) - mesh_.point(v);
         const double natural =
             edge_length((in_.natural[v] * e).norm(), (in_.natural[w] * e).norm());
         const double stretched = std::clamp((1 - target / natural) / 0.35, 0.0, 1.0);

@@ -150,14 +150,42 @@ BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceI
 
 template <int D>
 BoundaryPoint<D> BoundaryProjection<D>::project(const Vec<D>& p, const Part& part) const {
-    const auto face = [&](std::int32_t i) { return part.faces[static_cast<std::size_t>(i)]; };
-    const std::int32_t item = part.tree->nearest(
-        p, [&](std::int32_t i) { return nearest_on_face(face_corners(mesh_, face(i)), p).second; });
+    const std::int32_t item = nearest_face(p, part, -1);
     if (item < 0) {
         return {};
     }
-    const auto [weights, distance] = nearest_on_face(face_corners(mesh_, face(item)), p);
-    return {mesh_.faces[face(item)], weights, distance};
+    const FaceId face = part.faces[static_cast<std::size_t>(item)];
+    const auto [weights, distance] = nearest_on_face(face_corners(mesh_, face), p);
+    return {mesh_.faces[face], weights, distance};
+}
+
+template <int D>
+std::int32_t BoundaryProjection<D>::nearest_face(const Vec<D>& p, const Part& part,
+                                                 std::int32_t guess) const {
+    return part.tree->nearest(
+        p,
+        [&](std::int32_t i) {
+            const FaceId face = part.faces[static_cast<std::size_t>(i)];
+            return nearest_on_face(face_corners(mesh_, face), p).second;
+        },
+        guess);
+}
+
+template <int D>
+auto BoundaryProjection<D>::faces_of(int patch) const -> const Part& {
+    const auto part = patches_.find(patch);
+    return part == patches_.end() ? all_ : part->second;
+}
+
+template <int D>
+double BoundaryProjection<D>::distance(const Vec<D>& p, int patch, std::int32_t& near) const {
+    const Part& part = faces_of(patch);
+    near = nearest_face(p, part, near);
+    if (near < 0) {
+        return 0;
+    }
+    const FaceId face = part.faces[static_cast<std::size_t>(near)];
+    return nearest_on_face(face_corners(mesh_, face), p).second;
 }
 
 template <int D>
@@ -198,8 +226,7 @@ BoundaryPoint<D> BoundaryProjection<D>::project(const Vec<D>& p,
             return point;
         }
     }
-    const auto part = patches.empty() ? patches_.end() : patches_.find(patches[0]);
-    return project(p, part == patches_.end() ? all_ : part->second);
+    return project(p, patches.empty() ? all_ : faces_of(patches[0]));
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \

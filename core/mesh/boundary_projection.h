@@ -48,6 +48,11 @@ public:
     /// faces, and without those of any face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const std::vector<int>& patches) const;
 
+    /// Distance from the faces of one patch, or of all where there is none of that number [L].
+    /// \param near  a face on which the nearest point may be, and then is: neighbouring points are
+    ///              found sooner; -1: none known
+    [[nodiscard]] double distance(const Vec<D>& p, int patch, std::int32_t& near) const;
+
     /// The nearest point of the nodes (D = 2) or edges (D = 3) between the first two of `patches`;
     /// no valid nodes where they do not meet. The nodes of an edge come first, the second one
     /// twice.
@@ -60,6 +65,10 @@ private:
         std::unique_ptr<BoxTree<D>> tree;
     };
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const Part& part) const;
+    [[nodiscard]] const Part& faces_of(int patch) const;
+    /// Number of the nearest face in `part`, -1 if it has none. \see BoxTree::nearest
+    [[nodiscard]] std::int32_t nearest_face(const Vec<D>& p, const Part& part,
+                                            std::int32_t guess) const;
 
     const Mesh<D>& mesh_;
     Part all_;

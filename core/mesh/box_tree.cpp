@@ -94,9 +94,10 @@ std::int32_t BoxTree<D>::first(const std::function<bool(const Box<D>&)>& enters,
 
 template <int D>
 std::int32_t BoxTree<D>::nearest(const Vec<D>& p,
-                                 const std::function<double(std::int32_t)>& distance) const {
-    std::int32_t best = -1;
-    double best_distance = std::numeric_limits<double>::infinity();
+                                 const std::function<double(std::int32_t)>& distance,
+                                 std::int32_t guess) const {
+    std::int32_t best = guess;
+    double best_distance = guess < 0 ? std::numeric_limits<double>::infinity() : distance(guess);
     std::vector<std::pair<double, std::int32_t>> stack;
     if (!nodes_.empty()) {
         stack.emplace_back(0.0, 0);

@@ -37,8 +37,10 @@ public:
     /// The item at the smallest distance, or -1 for an empty tree. Of items at equal distance the
     /// one with the smallest number.
     /// \param distance  distance from `p` to what is in the box, >= distance to the box
+    /// \param guess     an item that may be near, which spares a part of the search; -1: none
     [[nodiscard]] std::int32_t nearest(const Vec<D>& p,
-                                       const std::function<double(std::int32_t)>& distance) const;
+                                       const std::function<double(std::int32_t)>& distance,
+                                       std::int32_t guess = -1) const;
 
 private:
     struct TreeNode {

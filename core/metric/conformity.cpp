@@ -33,7 +33,12 @@ double shape_quality_in(const Mesh<D>& mesh, const Tensor<D>& mean, const Simple
             root(i, j) = root(j, i) = mean[k++];
         }
     }
-    const Mat<D> X = root.llt().solve(edges);
+    const Eigen::LLT<Mat<D>> cholesky(root);
+    Mat<D> X;
+    for (int i = 0; i < D; ++i) { // column by column Eigen unrolls it
+        const Vec<D> half = cholesky.matrixL().solve(edges.col(i));
+        X.col(i) = cholesky.matrixU().solve(half);
+    }
     double squares = X.squaredNorm();
     for (int i = 0; i < D; ++i) {
         for (int j = 0; j < i; ++j) {

@@ -85,10 +85,10 @@ float bound_above(double distance) {
 template <int D>
 double distance_to_original(const std::array<Vec<D>, D>& corners, int patch,
                             const OriginalSurface<D>& original) {
-    const std::vector<int> patches{patch};
     double largest = 0;
+    std::int32_t near = -1;
     visit_samples(corners, [&](const Vec<D>& p) {
-        largest = std::max(largest, original.projection().project(p, patches).distance);
+        largest = std::max(largest, original.projection().distance(p, patch, near));
     });
     return largest;
 }

@@ -33,13 +33,22 @@ double interpolation_constant(const Couplings& couplings, NodeId v, std::span<co
         if (weights[j] <= negligible_weight) {
             continue;
         }
+        // Paths of two edges meet at common neighbours; both lists ascend.
+        const auto others = couplings.neighbours[nodes[j]];
+        const auto other_values = couplings.at(nodes[j]);
         double conductance = 0;
+        std::size_t m = 0;
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
             const auto first = static_cast<double>(values[k]);
             if (neighbours[k] == nodes[j]) {
                 conductance += std::max(first, 0.0);
-            } else if (first > 0) {
-                const auto second = static_cast<double>(couplings.between(neighbours[k], nodes[j]));
+                continue;
+            }
+            while (m < others.size() && others[m] < neighbours[k]) {
+                ++m;
+            }
+            if (first > 0 && m < others.size() && others[m] == neighbours[k]) {
+                const auto second = static_cast<double>(other_values[m]);
                 conductance += second > 0 ? first * second / (first + second) : 0;
             }
         }

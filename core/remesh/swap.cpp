@@ -202,16 +202,18 @@ bool is_lineless(const Lines& lines, const Simplex<D>& element) {
 template <int D>
 void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                        const SurfaceRules& surface, VerdictCounts& verdicts, Monitor& monitor) {
+    SwapOptions tried = options;
     for (int round = 0; round < options.rounds; ++round) {
         const std::int64_t before = verdicts[Verdict::accepted];
-        SwapRound<D> work{mesh, input, options, surface};
+        SwapRound<D> work{mesh, input, tried, surface};
         MonitorPart part(monitor, static_cast<double>(round) / options.rounds,
                          (round + 1.0) / options.rounds);
-        work_in_patches(elements_to_try(mesh, input, options), input.partitions, work, verdicts,
+        work_in_patches(elements_to_try(mesh, input, tried), input.partitions, work, verdicts,
                         "swapping", part);
         if (verdicts[Verdict::accepted] == before || monitor.stop_requested()) {
             break;
         }
+        tried.below = options.below * options.below_again;
     }
 }
 

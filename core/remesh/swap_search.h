@@ -18,6 +18,8 @@ struct SwapOptions {
     double size_floor = 0.1;        ///< the size quality must stay above this or not fall [-]
     std::size_t largest_shell = 10; ///< elements around an edge that is swapped
     int rounds = 3;                 ///< over the elements, at most
+    double below_again = 1; ///< share of `below` that counts after the first round [-]: what the
+                            ///< swaps of others have made possible matters to the worst only
 };
 
 /// Tries the swaps at an element: the shells of its edges, each starred from a node of its ring,

@@ -38,7 +38,8 @@ double farthest_other(const std::map<int, boundary_fit::Fit>& fits) {
     return largest;
 }
 
-void print_level(const char* what, double aspect, int k, const CoarsenReport& r,
+/// \param own  share of the fine mesh's edges in band, in its own natural metric: the yardstick
+void print_level(const char* what, double aspect, int k, double own, const CoarsenReport& r,
                  const Level<3>& coarse, const Mesh<3>& finest, double volume) {
     const auto fits = boundary_fit::measure(coarse, finest);
     std::printf("%-14s %6.0e %5d %8lld  %6.3f  %6.3f  %8.1e  %8.1e  %8.1e  %8.1e  %9.1e  %9.1e  "
@@ -48,7 +49,7 @@ void print_level(const char* what, double aspect, int k, const CoarsenReport& r,
                 static_cast<double>(r.nodes_after) / r.predicted_nodes, fits.at(wall).over_edge,
                 fits.at(wall).over_short, farthest_other(fits), r.deviation_relative,
                 r.check.volume / volume - 1, boundary_fit::area_change(coarse.mesh, finest),
-                percent(r.conformity.in_band), percent(r.conformity_before.in_band));
+                percent(r.conformity.in_band), percent(own));
     std::fflush(stdout);
 }
 
@@ -62,9 +63,10 @@ void print_levels(const char* what, double aspect, Mesh<3> mesh, int levels) {
     const Mesh<3> finest = level.mesh;
     const double volume = check(finest).volume;
     for (int k = 1; k <= levels; ++k) {
+        const double own = conformity(level.mesh, level.natural).in_band;
         CoarsenReport r;
         level = coarsen(level, {}, r);
-        print_level(what, aspect, k, r, level, finest, volume);
+        print_level(what, aspect, k, own, r, level, finest, volume);
     }
 }
 
