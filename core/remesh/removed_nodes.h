@@ -51,8 +51,8 @@ template <int D>
 /// least conductances count in full, though many ways run side by side.
 struct InterpolationBound {
     double layer = 2;         ///< bound where one direction is coarsened [-]
-    double per_direction = 2; ///< added for each further one [-]
-    double isotropic = 8;     ///< added times the square of the isotropy [-]
+    double per_direction = 1; ///< added for each further one [-]
+    double isotropic = 6;     ///< added times the square of the isotropy [-]
     double late = 1.5;        ///< times the bound: for a node of a line that stayed in the first
                               ///< pass, and would be left over in the middle of an element [-]
 };
