@@ -17,6 +17,7 @@
 #include "core/surface/thin_surface.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace ameco {
@@ -259,7 +260,8 @@ bool collapse_away(EditMesh<3>& mesh, NodeId v, const SizeField<3>& sizes,
 /// Collapses the nodes from `first` on, which TetGen added, as often as that helps.
 /// \return those that are left
 std::vector<NodeId> collapse_added(EditMesh<3>& mesh, NodeId first, const SizeField<3>& sizes,
-                                   const SurfaceRules& rules) {
+                                   SurfaceRules rules) {
+    rules.layer_share = std::numeric_limits<double>::infinity(); // they must go, thin as that is
     std::vector<NodeId> left;
     for (std::size_t i = first.index(); i < mesh.node_count(); ++i) {
         left.push_back(NodeId(i));

@@ -13,9 +13,10 @@ template <int D>
 class Remover {
 public:
     Remover(EditMesh<D>& mesh, Lines& lines, RemovalState& state, const RemovalInput<D>& input,
-            const RemovalOptions& options, const Patch& patch, VerdictCounts& verdicts)
-        : mesh_(mesh), lines_(lines), state_(state), in_(input), options_(options), patch_(patch),
-          verdicts_(verdicts) {}
+            const RemovalOptions& options, bool first_pass, const Patch& patch,
+            VerdictCounts& verdicts)
+        : mesh_(mesh), lines_(lines), state_(state), in_(input), options_(options),
+          first_pass_(first_pass), patch_(patch), verdicts_(verdicts) {}
 
     /// Of a line the odd nodes go, wall side first.
     /// \return  false where the node is not within the patch
@@ -25,8 +26,7 @@ public:
         if (!stays && !may_leave(v)) {
             return false;
         }
-        const bool gone =
-            !stays && (lines_.on_line(v) ? leave_along_line(v) : remove_off_line(v, true));
+        const bool gone = !stays && (lines_.on_line(v) ? leave_along_line(v) : remove_off_line(v));
         state_.kept[v] = gone ? 0 : 1;
         return true;
     }
@@ -41,7 +41,7 @@ public:
         if (!may_leave(v)) {
             return false;
         }
-        const bool gone = lines_.on_line(v) ? thin_line_again(v) : remove_off_line(v, false);
+        const bool gone = lines_.on_line(v) ? thin_line_again(v) : remove_off_line(v);
         if (!gone) {
             in_.notes.node_tried[v] = in_.notes.changes.now(patch_.lane());
         }
@@ -62,12 +62,33 @@ private:
                            [&](ElementId e) { return patch_.holds(mesh_, e); });
     }
 
-    /// In later passes parity is settled; what the first pass could not take may go now.
+    /// In later passes parity is settled; what the first pass could not take may go now, and the
+    /// ends of lines also onto nodes beside them: left over, one node makes a whole ring of thin
+    /// elements.
     bool thin_line_again(NodeId v) {
         const NodeId a = lines_.previous[v], b = lines_.next[v];
         const bool crowded = (a.valid() && too_close(v, a, options_.reach)) ||
                              (b.valid() && too_close(v, b, options_.reach));
-        return crowded && leave_along_line(v);
+        if (!crowded) {
+            return false;
+        }
+        if (leave_along_line(v)) {
+            return true;
+        }
+        if ((a.valid() && b.valid()) || lines_.beside_used_gap(v) || !remove_off_line(v)) {
+            return false;
+        }
+        take_off_line(v);
+        return true;
+    }
+
+    void take_off_line(NodeId v) {
+        for (const NodeId beside : {lines_.previous[v], lines_.next[v]}) {
+            if (beside.valid()) {
+                in_.notes.changes.touch(beside, patch_.lane());
+            }
+        }
+        lines_.remove(v);
     }
 
     bool leave_along_line(NodeId v) {
@@ -88,12 +109,7 @@ private:
             last = propose(v, w, 0, star_);
             if (last == Verdict::accepted) {
                 commit(v, w);
-                for (const NodeId beside : {lines_.previous[v], lines_.next[v]}) {
-                    if (beside.valid()) {
-                        in_.notes.changes.touch(beside, patch_.lane());
-                    }
-                }
-                lines_.remove(v);
+                take_off_line(v);
                 return true;
             }
         }
@@ -102,18 +118,18 @@ private:
     }
 
     /// In the first pass onto kept nodes that are too close; later onto any node that is not far.
-    bool remove_off_line(NodeId v, bool first_pass) {
+    bool remove_off_line(NodeId v) {
         mesh_.neighbours(v, neighbours_);
         bool crowded = false;
         candidates_.clear();
         for (const NodeId w : neighbours_) {
-            if (first_pass ? state_.kept[w] != 0 && too_close(v, w, options_.reach)
-                           : too_close(v, w, options_.later_reach)) {
+            if (first_pass_ ? state_.kept[w] != 0 && too_close(v, w, options_.reach)
+                            : too_close(v, w, options_.later_reach)) {
                 candidates_.push_back(w);
-                crowded = crowded || first_pass || too_close(v, w, options_.reach);
+                crowded = crowded || first_pass_ || too_close(v, w, options_.reach);
             }
         }
-        if (!crowded || (!first_pass && !is_crowded(v))) {
+        if (!crowded || (!first_pass_ && !is_crowded(v))) {
             return false;
         }
         if (!within_coupling_bound(v)) {
@@ -143,7 +159,7 @@ private:
         }
         std::swap(star_, best_star_);
         // Other candidates may have been looked at since the best one.
-        (void)in_.removed.interpolated_well(mesh_, ball_, star_, v, patch_.lane());
+        (void)in_.removed.interpolated_well(mesh_, ball_, star_, leaving(v), patch_.lane());
         commit(v, best);
         return true;
     }
@@ -159,9 +175,14 @@ private:
         if (star.worst_quality <= better_than) {
             return Verdict::no_improvement;
         }
-        return in_.removed.interpolated_well(mesh_, ball_, star, v, patch_.lane())
+        return in_.removed.interpolated_well(mesh_, ball_, star, leaving(v), patch_.lane())
                    ? Verdict::accepted
                    : Verdict::weak_coupling;
+    }
+
+    Leaving leaving(NodeId v) const {
+        const bool late = !first_pass_ && lines_.on_line(v);
+        return {v, late ? static_cast<float>(options_.interpolation.late) : 1};
     }
 
     void commit(NodeId v, NodeId w) {
@@ -243,6 +264,7 @@ private:
     RemovalState& state_;
     const RemovalInput<D>& in_;
     const RemovalOptions& options_;
+    const bool first_pass_;
     const Patch patch_;
     VerdictCounts& verdicts_;
     Cavity<D> ball_;
@@ -269,8 +291,8 @@ struct RemovalPass {
         return partition.part[v];
     }
     [[nodiscard]] auto worker(const Patch& patch, VerdictCounts& counts) {
-        return [this, remover = Remover<D>(mesh, lines, state, input, options, patch, counts)](
-                   NodeId v) mutable {
+        return [this, remover = Remover<D>(mesh, lines, state, input, options, first, patch,
+                                           counts)](NodeId v) mutable {
             return first ? remover.first_visit(v) : remover.visit_again(v);
         };
     }

@@ -32,8 +32,8 @@ std::string findings(const SlowNode<D>& node) {
     add(!node.kept && node.interpolated_coupling < 0.3,
         "missing strong edge: only " + text(node.interpolated_coupling, 2) +
             " of its coupling goes to the nodes it is interpolated from");
-    add(node.interpolation > 8, "badly interpolated: constant " + text(node.interpolation, 1) +
-                                    " (2 in layers, about 5 elsewhere)");
+    add(node.interpolation > 4, "badly interpolated: constant " + text(node.interpolation, 1) +
+                                    " (1 in layers, about 2 elsewhere)");
     add(node.galerkin_ratio > 2, "bad coarse element: the coarse matrix is " +
                                      text(node.galerkin_ratio, 1) + " times too soft");
     return all.empty() ? "nothing conspicuous" : all;

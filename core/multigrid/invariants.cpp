@@ -10,7 +10,7 @@ namespace ameco {
 namespace {
 
 constexpr double ff_bound = 0.9;
-constexpr double interpolation_bound = 12;
+constexpr double interpolation_bound = 5;
 constexpr double galerkin_bound = 2;
 
 template <int D>

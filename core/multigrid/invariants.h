@@ -42,7 +42,7 @@ struct PairInvariants {
 
     /// max of `interpolation_constant` over the removed nodes inside the domain.
     WorstPlace<D> interpolation;
-    std::int64_t interpolation_exceeded = 0; ///< removed nodes above 12
+    std::int64_t interpolation_exceeded = 0; ///< removed nodes above 5
 
     /// max of (P^T A P)_ii / (A_c)_ii over the coarse unknowns: how much stiffer the fine mesh sees
     /// a coarse basis function than the coarse mesh does. At most 1.5 is good; above 2 a

@@ -41,12 +41,14 @@ Verdict propose_collapse(const EditMesh<D>& mesh, const SizeField<D>& sizes,
     }
     const double floor = std::min(quality.floor, quality.share * worst_quality(mesh, ball));
     verdict = judge(mesh, sizes, floor, star);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
     // A ball inside the domain that is covered by positive elements stays one; on the boundary the
     // surface must stay a manifold too.
-    if (verdict == Verdict::accepted && mesh.on_boundary(collapse.removed)) {
-        verdict = judge_collapsed_boundary(mesh, surface, short_size, collapse, ball, star);
-    }
-    return verdict;
+    return mesh.on_boundary(collapse.removed)
+               ? judge_collapsed_boundary(mesh, surface, short_size, collapse, ball, star)
+               : judge_layer(mesh, ball, surface, star);
 }
 
 template <int D>

@@ -157,7 +157,7 @@ Verdict judge_swapped_boundary(const EditMesh<D>& mesh, const SurfaceRules& surf
                                double short_size, const Cavity<D>& cavity, NodeId node,
                                Star<D>& star) {
     if (!at_boundary(mesh, cavity)) {
-        return Verdict::accepted;
+        return judge_layer(mesh, cavity, surface, star);
     }
     const auto in_cavity = [&](NodeId v) {
         return std::any_of(cavity.elements.begin(), cavity.elements.end(), [&](ElementId e) {

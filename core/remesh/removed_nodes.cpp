@@ -55,7 +55,7 @@ double interpolation_constant(const Couplings& couplings, NodeId v, std::span<co
         if (!most.empty()) {
             conductance = std::min(conductance, most[j] * diagonal);
         }
-        sum += weights[j] / std::max(conductance, least_conductance * diagonal);
+        sum += weights[j] * weights[j] / std::max(conductance, least_conductance * diagonal);
     }
     return diagonal * sum;
 }
@@ -92,14 +92,16 @@ RemovedNodes<D>::RemovedNodes(const Couplings& couplings, IdVector<NodeId, float
 
 template <int D>
 bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>& cavity,
-                                        const Star<D>& star, NodeId leaving, std::size_t lane) {
+                                        const Star<D>& star, Leaving leaving, std::size_t lane) {
     std::vector<Place>& places = places_[lane].of;
     places.clear();
     const auto add = [&](NodeId v) {
         places.push_back(locate(mesh, star, v));
-        return places.back().constant <= std::max(bounds_[v], v == leaving ? 0 : constant_[v]);
+        const float most =
+            v == leaving.node ? leaving.slack * bounds_[v] : std::max(bounds_[v], constant_[v]);
+        return places.back().constant <= most;
     };
-    if (leaving.valid() && !mesh.on_boundary(leaving) && !add(leaving)) {
+    if (leaving.node.valid() && !mesh.on_boundary(leaving.node) && !add(leaving.node)) {
         return false;
     }
     for (const ElementId e : cavity.elements) {

@@ -16,11 +16,14 @@ namespace ameco {
 /// error's energy; with conductances g_vi between v and i over one coupling or two
 /// (c_vu c_ui / (c_vu + c_ui)):
 ///
-///     K_v = a_vv sum_i w_i / g_vi
+///     K_v = a_vv sum_i w_i^2 / g_vi
 ///
-/// since a_vv (e_v - sum w_i e_i)^2 <= a_vv sum w_i (e_v - e_i)^2, and the energy around v is at
-/// least g_vi (e_v - e_i)^2 for each i. 2 on a line across layers. Ways over three couplings or
-/// more count as g = 0.02 a_vv, so that small weights of far nodes do no harm.
+/// since (sum w_i (e_v - e_i))^2 <= (sum w_i^2 / g_vi) (sum g_vi (e_v - e_i)^2), and the second sum
+/// is the energy of the ways from v (one that several ways share is counted for each). 1 on a line
+/// across layers. Ways over three couplings or more count as g = 0.02 a_vv.
+///
+/// The square lets small weights of far nodes do no harm. With w_i instead, a node at 1/20 of the
+/// height of its element would be refused for the twentieth that it takes from above.
 ///
 /// Negative couplings are left out, and with them what they take away: in needles the couplings
 /// along the needle look strong, and those with the diagonals beside cancel them.
@@ -43,19 +46,27 @@ template <int D>
 }
 
 /// How large the interpolation constant of a removed node may become. It grows with the number of
-/// directions that are coarsened: 2 in an ideal layer (n = 1), above 4 in isotropic meshes (n = D).
+/// directions that are coarsened: 1 in an ideal layer (n = 1), more in isotropic meshes (n = D).
 /// There a node whose neighbours all leave is reached over three couplings, which K overstates:
 /// least conductances count in full, though many ways run side by side.
 struct InterpolationBound {
-    double layer = 5;         ///< bound where one direction is coarsened [-]
-    double per_direction = 6; ///< added for each further one [-]
-    double isotropic = 30;    ///< added times the square of the isotropy [-]
+    double layer = 2;         ///< bound where one direction is coarsened [-]
+    double per_direction = 1; ///< added for each further one [-]
+    double isotropic = 6;     ///< added times the square of the isotropy [-]
+    double late = 1.5;        ///< times the bound: for a node of a line that stayed in the first
+                              ///< pass, and would be left over in the middle of an element [-]
 };
 
 /// The bound of each node.
 template <int D>
 [[nodiscard]] IdVector<NodeId, float>
 interpolation_bounds(const IdVector<NodeId, float>& directions, const InterpolationBound& bound);
+
+/// A node that is to leave, and by which factor its interpolation constant may exceed its bound.
+struct Leaving {
+    NodeId node;
+    float slack = 1;
+};
 
 /// The removed nodes, each in the element that holds it, carried along as the mesh is edited.
 ///
@@ -79,11 +90,11 @@ public:
     RemovedNodes(const Couplings& couplings, IdVector<NodeId, float> bounds,
                  IdVector<NodeId, float> short_size = {});
 
-    /// Whether filling the cavity with the star leaves the removed nodes in it, and `leaving`
+    /// Whether filling the cavity with the star leaves the removed nodes in it, and the leaving one
     /// (where valid) with them, in elements that interpolate them well enough: K at most the bound,
     /// or not above what it was. Remembers where they go, for `move` with the same lane.
     [[nodiscard]] bool interpolated_well(const EditMesh<D>& mesh, const Cavity<D>& cavity,
-                                         const Star<D>& star, NodeId leaving = {},
+                                         const Star<D>& star, Leaving leaving = {},
                                          std::size_t lane = 0);
 
     /// Moves the nodes as found by the last `interpolated_well`. To be called when the edit has

@@ -2,6 +2,7 @@
 #include "core/remesh/surface_rules.h"
 
 #include "core/geometry/distance.h"
+#include "core/metric/element_metric.h"
 #include "core/remesh/original_surface.h"
 
 #include <algorithm>
@@ -93,7 +94,83 @@ double mean_edge(const std::vector<Corners<D>>& faces) {
     return sum / static_cast<double>(count);
 }
 
+template <int D>
+bool has_all(const Simplex<D>& s, const Facet<D>& face) {
+    return std::all_of(face.begin(), face.end(),
+                       [&](NodeId v) { return std::find(s.begin(), s.end(), v) != s.end(); });
+}
+
+/// Short size h_1 of an element [L].
+template <int D>
+double short_size_of(const EditMesh<D>& mesh, const Simplex<D>& element) {
+    return element_metric<D>(corners_of(mesh, element)).sizes[0];
+}
+
+/// Whether the elements of a star are high enough on boundary faces of the star that may lie at a
+/// distance from the original ones.
+template <int D>
+bool covers_distance(const EditMesh<D>& mesh, double distance, double layer_share,
+                     const Star<D>& star) {
+    for (const EditElement<D>& ghost : star.elements) {
+        if (ghost.nodes[D] != mesh.ghost()) {
+            continue;
+        }
+        const Facet<D> face = ghost_face<D>(ghost.nodes);
+        for (const EditElement<D>& e : star.elements) {
+            if (e.nodes[D] != mesh.ghost() && has_all<D>(e.nodes, face) &&
+                distance > layer_share * short_size_of(mesh, e.nodes)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// The ghost element on a facet whose nodes are all on the boundary; none if it is inside.
+template <int D>
+ElementId ghost_on(const EditMesh<D>& mesh, const Facet<D>& facet) {
+    for (const ElementId e : mesh.ball(facet[0])) {
+        if (mesh.is_ghost(e) && has_all<D>(mesh.nodes(e), facet)) {
+            return e;
+        }
+    }
+    return {};
+}
+
 } // namespace
+
+template <int D>
+Verdict judge_layer(const EditMesh<D>& mesh, const Cavity<D>& cavity, const SurfaceRules& rules,
+                    const Star<D>& star) {
+    for (const EditElement<D>& e : star.elements) {
+        for (int i = 0; i <= D; ++i) {
+            const Facet<D> facet = facet_of<D>(e.nodes, i);
+            if (!std::all_of(facet.begin(), facet.end(),
+                             [&](NodeId v) { return mesh.on_boundary(v); })) {
+                continue;
+            }
+            const ElementId ghost = ghost_on<D>(mesh, facet);
+            const double distance =
+                ghost.valid() ? static_cast<double>(mesh.element(ghost).measure) : 0;
+            if (distance == 0) {
+                continue;
+            }
+            const double h = short_size_of(mesh, e.nodes);
+            if (distance <= rules.layer_share * h) {
+                continue;
+            }
+            const bool was_thinner =
+                std::any_of(cavity.elements.begin(), cavity.elements.end(), [&](ElementId old) {
+                    return has_all<D>(mesh.nodes(old), facet) &&
+                           short_size_of(mesh, mesh.nodes(old)) <= h;
+                });
+            if (!was_thinner) {
+                return Verdict::surface_distance;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
 
 template <int D>
 Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity, double short_size,
@@ -118,13 +195,15 @@ Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity, double s
         }
     }
     const double moved = two_sided_distance<D>(before, after);
+    const double off = deviation + moved;
     if (moved > rules.layer_share * short_size ||
-        deviation + moved > rules.relative_distance * mean_edge<D>(after)) {
+        off > rules.relative_distance * mean_edge<D>(after) ||
+        (off > 0 && !covers_distance(mesh, off, rules.layer_share, star))) {
         return Verdict::surface_distance;
     }
     for (EditElement<D>& e : star.elements) {
         if (e.nodes[D] == mesh.ghost()) {
-            e.measure = bound_above(deviation + moved);
+            e.measure = bound_above(off);
         }
     }
     return Verdict::accepted;
@@ -282,6 +361,8 @@ Verdict check_link(const EditMesh<D>& mesh, NodeId removed, NodeId kept) {
 #define AMECO_INSTANTIATE(D)                                                                       \
     template Verdict judge_surface(const EditMesh<D>&, const Cavity<D>&, double,                   \
                                    const SurfaceRules&, Star<D>&);                                 \
+    template Verdict judge_layer(const EditMesh<D>&, const Cavity<D>&, const SurfaceRules&,        \
+                                 const Star<D>&);                                                  \
     template void gather_faces(const EditMesh<D>&, NodeId, NodeFaces<D>&);                         \
     template Verdict judge_moved_faces(EditMesh<D>&, NodeId, const NodeFaces<D>&, double,          \
                                        const SurfaceRules&);                                       \

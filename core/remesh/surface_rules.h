@@ -12,7 +12,8 @@ struct SurfaceRules {
         30; ///< between the normals of a new face and the one it replaces [deg]
     double relative_distance = 0.1; ///< bound on the distance to the finest boundary, over the
                                     ///< mean edge of the new faces [-]
-    double layer_share = 0.5; ///< one operation may move the boundary by this share of h_1 [-]
+    double layer_share = 0.5; ///< one operation may move the boundary by this share of h_1, and
+                              ///< below an element of that size it may lie so far off [-]
 };
 
 /// Judges the boundary faces in a star against those of the cavity it fills.
@@ -23,11 +24,18 @@ struct SurfaceRules {
 /// their measure, until it is measured anew (\see BoundaryDistance).
 ///
 /// \param short_size  h_1 of the natural metric nearby [L]: the surface must not pass the layer
-///                    above
+///                    above in one step, nor come near to passing the new elements on it in several
 /// \return            accepted, surface_normal or surface_distance
 template <int D>
 [[nodiscard]] Verdict judge_surface(const EditMesh<D>& mesh, const Cavity<D>& cavity,
                                     double short_size, const SurfaceRules& rules, Star<D>& star);
+
+/// Judges a star inside the domain: an element on a boundary face that has moved must not become so
+/// thin that the face could have passed it, `layer_share` of its h_1, unless it was thinner before.
+/// \return  accepted or surface_distance
+template <int D>
+[[nodiscard]] Verdict judge_layer(const EditMesh<D>& mesh, const Cavity<D>& cavity,
+                                  const SurfaceRules& rules, const Star<D>& star);
 
 /// The boundary faces at a node.
 template <int D>

@@ -89,7 +89,7 @@ void print_invariants(const Grids<D>& g, const LevelEquations& equations, std::s
     const auto v = pair_invariants(g.meshes[k], g.structures[k], g.meshes[k + 1],
                                    g.structures[k + 1], g.transfers[k], ratios, unknowns);
     std::printf("    %zu-%zu  gaps %lld (%lld at ends, longest %.0f at %s), three kept in a row "
-                "%lld, lineless %lld (%.4f %%), FF %.2f at %s, K %.1f at %s (%lld above 12), G/A "
+                "%lld, lineless %lld (%.4f %%), FF %.2f at %s, K %.1f at %s (%lld above 5), G/A "
                 "%.2f at %s (%lld above 2)\n",
                 k, k + 1, whole(v.gaps), whole(v.gaps_at_ends), v.longest_gap.value,
                 place<D>(v.longest_gap.point).c_str(), whole(v.stuck), whole(v.lineless_elements),

@@ -60,6 +60,8 @@ class BoundaryProjectionTest : public QObject {
     template <int D>
     static void compare_with_all_faces(const Mesh<D>& mesh) {
         const BoundaryProjection<D> projection(mesh);
+        std::array<std::int32_t, 2 * D + 1> near; // kept from point to point
+        near.fill(-1);
         for (std::uint64_t i = 0; i < 100; ++i) {
             const Vec<D> p = random_point<D>(i, i % 2 == 0 ? 0.5 : 2.0);
             for (int patch = 0; patch <= 2 * D; ++patch) {
@@ -74,6 +76,10 @@ class BoundaryProjectionTest : public QObject {
                 QVERIFY(std::abs(found.distance - least) < 1e-13);
                 QVERIFY(std::abs((place(mesh, found) - p).norm() - found.distance) < 1e-13);
                 verify_weights(found);
+                if (patch > 0) {
+                    QCOMPARE(projection.distance(p, patch, near[static_cast<std::size_t>(patch)]),
+                             found.distance);
+                }
             }
         }
     }

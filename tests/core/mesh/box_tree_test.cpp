@@ -88,6 +88,8 @@ class BoxTreeTest : public QObject {
                 }
             }
             QCOMPARE(tree.nearest(p, distance), expected);
+            const auto guess = static_cast<std::int32_t>(i % n);
+            QCOMPARE(tree.nearest(p, distance, guess), expected);
         }
     }
 

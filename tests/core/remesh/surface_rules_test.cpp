@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/surface_rules.h"
 
+#include "core/metric/element_metric.h"
 #include "core/remesh/collapse.h"
 #include "tests/core/remesh/round_shapes.h"
 
@@ -104,6 +105,36 @@ void accumulate(const Mesh<D>& mesh, int attempts, std::size_t at_least) {
     QCOMPARE_GT(largest, 0.001);
 }
 
+/// Short size of the one among some elements that has all nodes of a face; 0 if none has.
+double short_size_on(const EditMesh<3>& mesh, const Facet<3>& face,
+                     const std::vector<Simplex<3>>& elements) {
+    for (const Simplex<3>& s : elements) {
+        if (s[3] != mesh.ghost() && std::all_of(face.begin(), face.end(), [&](NodeId v) {
+                return std::find(s.begin(), s.end(), v) != s.end();
+            })) {
+            return element_metric<3>(corners_of(mesh, s)).sizes[0];
+        }
+    }
+    return 0;
+}
+
+/// Whether a star gives a face of the boundary a thinner element than it had, and one with less
+/// than `least` for its short size.
+bool thins_a_layer(const Workbench<3>& bench, const Cavity<3>& ball, const Star<3>& star,
+                   double least) {
+    std::vector<Simplex<3>> before, after;
+    for (const ElementId e : ball.elements) {
+        before.push_back(bench.edit.nodes(e));
+    }
+    for (const EditElement<3>& e : star.elements) {
+        after.push_back(e.nodes);
+    }
+    return std::any_of(bench.mesh.faces.begin(), bench.mesh.faces.end(), [&](const Facet<3>& f) {
+        const double h = short_size_on(bench.edit, f, after);
+        return h > 0 && h < least && h < short_size_on(bench.edit, f, before);
+    });
+}
+
 } // namespace
 
 class SurfaceRulesTest : public QObject {
@@ -114,6 +145,8 @@ private slots:
     void ordinary_collapses_keep_the_surface_a_manifold();
     void refuses_turns_above_the_limit();
     void refuses_distances_above_the_limits();
+    void refuses_faces_that_could_pass_the_elements_on_them();
+    void elements_on_faces_that_have_moved_do_not_become_thin();
     void adds_the_distance_to_the_bound_of_the_faces_replaced();
     void plane_sides_do_not_move();
     void bounds_stay_above_the_true_distance();
@@ -174,6 +207,64 @@ void SurfaceRulesTest::refuses_distances_above_the_limits() {
     rules.layer_share = 0.3;
     QCOMPARE(judge_corner(rules, 0.999 * sagitta / 0.3, 0, after), Verdict::surface_distance);
     QCOMPARE(judge_corner(rules, 1.001 * sagitta / 0.3, 0, after), Verdict::accepted);
+}
+
+void SurfaceRulesTest::refuses_faces_that_could_pass_the_elements_on_them() {
+    const double sagitta = 1 - std::cos(std::numbers::pi / 6);
+    const Mesh<2> mesh = polygon(12);
+    const Workbench<2> bench(mesh);
+    Cavity<2> ball;
+    Star<2> star;
+    gather_ball(bench.edit, NodeId(2), ball);
+    QCOMPARE(make_star(bench.edit, ball, NodeId(1), star), Verdict::accepted);
+    double h = 0; // of the one element on the one new side
+    for (const EditElement<2>& e : star.elements) {
+        if (e.nodes[2] != bench.edit.ghost()) {
+            h = element_metric<2>(corners_of(bench.edit, e.nodes)).sizes[0];
+        }
+    }
+    QCOMPARE_GT(h, 0);
+    float after = 0;
+    SurfaceRules rules = everything;
+    // The side moves by the sagitta, from where it may have been 0.2 off.
+    rules.layer_share = 0.999 * (sagitta + 0.2) / h;
+    QCOMPARE(judge_corner(rules, 1e9, 0.2f, after), Verdict::surface_distance);
+    QCOMPARE(judge_corner(rules, 1e9, 0.19f, after), Verdict::accepted);
+}
+
+void SurfaceRulesTest::elements_on_faces_that_have_moved_do_not_become_thin() {
+    Workbench<3> bench(shapes::cube(4));
+    Cavity<3> ball;
+    Star<3> star;
+    int thinned = 0, accepted = 0;
+    for (const double distance : {0.02, 0.05, 0.1}) {
+        for (std::size_t i = 0; i < bench.edit.slot_count(); ++i) {
+            if (bench.edit.is_ghost(ElementId(i))) {
+                bench.edit.set_measure(ElementId(i), static_cast<float>(distance));
+            }
+        }
+        std::vector<NodeId> neighbours;
+        for (const NodeId v : bench.mesh.points.ids()) {
+            if (bench.edit.on_boundary(v)) {
+                continue;
+            }
+            gather_ball(bench.edit, v, ball);
+            bench.edit.neighbours(v, neighbours);
+            for (const NodeId w : neighbours) {
+                if (make_star(bench.edit, ball, w, star) != Verdict::accepted) {
+                    continue;
+                }
+                const bool thin = thins_a_layer(bench, ball, star,
+                                                static_cast<double>(static_cast<float>(distance)) /
+                                                    SurfaceRules().layer_share);
+                QCOMPARE(judge_layer(bench.edit, ball, SurfaceRules(), star),
+                         thin ? Verdict::surface_distance : Verdict::accepted);
+                ++(thin ? thinned : accepted);
+            }
+        }
+    }
+    QCOMPARE_GT(thinned, 10);
+    QCOMPARE_GT(accepted, 10);
 }
 
 void SurfaceRulesTest::adds_the_distance_to_the_bound_of_the_faces_replaced() {
