@@ -43,7 +43,7 @@ struct CoarsenOptions {
     LineOptions lines;
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     /// A third round would mend one element in a thousand.
-    SwapOptions swaps{.below = 0.5, .rounds = 2, .below_again = 0.75};
+    SwapOptions swaps{.rounds = 2, .below_again = 0.75};
     int passes = 6; ///< removal passes, >= 1; swaps come after each
     CoarseNodes nodes = CoarseNodes::nested;
     FitOptions fit;                     ///< for moved nodes
