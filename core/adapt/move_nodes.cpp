@@ -336,13 +336,7 @@ private:
                 mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
             }
         }
-        for (const ElementId e : mesh_.edit.ball(v)) {
-            for (const NodeId w : mesh_.edit.nodes(e)) {
-                if (w != mesh_.edit.ghost()) {
-                    mesh_.touch(w);
-                }
-            }
-        }
+        mesh_.touch_ball(v);
     }
 
     UnitMesh<D>& mesh_;
@@ -373,9 +367,13 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
         if (stop.asked()) {
             break;
         }
-        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since)) {
+        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since) &&
+            mesh.changed_since(v, mesh.move_tried(v))) {
             const Verdict verdict = mover.move(v);
             verdicts.add(verdict);
+            if (verdict != Verdict::accepted) {
+                mesh.note_move_tried(v);
+            }
             made += verdict == Verdict::accepted ? 1 : 0;
         }
     }

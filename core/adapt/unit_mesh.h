@@ -92,7 +92,20 @@ public:
     /// Starts a new time, and returns it.
     ChangeTimes::Time tick() { return changes_.tick(); }
 
-    /// Replaces a cavity, and touches the nodes of the star.
+    /// Says that the ball of a node has changed, in a time of its own.
+    void touch_ball(NodeId v);
+    /// Notes on what was tried in vain. They spare work that would end as it did before.
+    [[nodiscard]] ChangeTimes::Time now() const { return changes_.now(); }
+    /// When no swap was found at an element; 0: never, or the element is new since.
+    [[nodiscard]] ChangeTimes::Time swap_tried(ElementId e) const {
+        return e.index() < swap_tried_.size() ? swap_tried_[e.index()] : 0;
+    }
+    void note_swap_tried(ElementId e);
+    /// When a node was last found to have no better place; 0: never.
+    [[nodiscard]] ChangeTimes::Time move_tried(NodeId v) const { return move_tried_[v]; }
+    void note_move_tried(NodeId v) { move_tried_[v] = changes_.now(); }
+
+    /// Replaces a cavity, and touches the nodes of the star, in a time of its own.
     void replace(const Cavity<D>& cavity, const Star<D>& star);
 
 private:
@@ -105,6 +118,8 @@ private:
     IdVector<NodeId, double> short_size_;
     IdVector<NodeId, NodeId> near_; ///< a node of the background mesh near each node
     ChangeTimes changes_;
+    std::vector<ChangeTimes::Time> swap_tried_; ///< by element slot
+    IdVector<NodeId, ChangeTimes::Time> move_tried_;
     IdVector<NodeId, std::uint8_t> held_;
     IdVector<NodeId, Vec<D>> first_place_;
 };

@@ -22,7 +22,8 @@ public:
         std::uint8_t shared = 0; ///< bit i: it has corner i
     };
 
-    void find(const EditMesh<D>& mesh, ElementId e) {
+    /// \param corners  bit i: look at the edges and faces at corner i; others are left out
+    void find(const EditMesh<D>& mesh, ElementId e, unsigned corners = ~0U) {
         const Simplex<D>& s = mesh.nodes(e);
         if (corner_.size() < mesh.node_count()) {
             corner_.resize(mesh.node_count(), 0);
@@ -33,6 +34,9 @@ public:
         for (int i = 0; i <= D; ++i) {
             ball_size_[i] = mesh.ball(s[i]).size();
             at_[i].clear();
+            if ((corners >> i & 1U) == 0) {
+                continue;
+            }
             for (const ElementId f : mesh.ball(s[i])) {
                 const unsigned shared = shared_corners(mesh, mesh.nodes(f));
                 if ((shared & (shared - 1)) != 0) { // two at least

@@ -41,17 +41,23 @@ public:
         : mesh_(mesh), rules_(rules), options_(options), surface_(surface), verdicts_(verdicts) {}
 
     /// Tries the swaps at one element; true if one was made.
-    /// \param around  of the element
-    bool mend(ElementId e, const EdgeNeighbours<D>& around) {
+    /// \param around   of the element, at all corners below
+    /// \param corners  bit i: with corner i; edges and faces with other corners are not tried
+    bool mend(ElementId e, const EdgeNeighbours<D>& around, unsigned corners = ~0U) {
         element_ = e;
         best_quality_ = 0;
         best_verdict_ = Verdict::no_improvement;
         for (const auto& [i, j] : SimplexNumbering<D>::edges) {
-            try_edge(i, j, around);
+            if ((corners >> i & corners >> j & 1U) != 0) {
+                try_edge(i, j, around);
+            }
         }
         if constexpr (D == 3) {
             for (int i = 0; i <= D; ++i) {
-                try_face(i, around.behind(i));
+                constexpr unsigned all = (1U << (D + 1)) - 1;
+                if (((corners | 1U << i) & all) == all) {
+                    try_face(i, around.behind(i));
+                }
             }
         }
         verdicts_.add(best_quality_ > 0 ? Verdict::accepted : best_verdict_);
