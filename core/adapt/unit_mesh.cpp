@@ -14,8 +14,7 @@ UnitMesh<D>::UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes,
     : edit(mesh, classes), source_(source), quality_(quality_function),
       factor_(mesh.points.size(), Mat<D>::Zero()), root_(mesh.points.size()),
       short_size_(mesh.points.size(), 0), near_(std::move(near)), changes_(mesh.points.size()),
-      move_tried_(mesh.points.size(), 0),
-      held_(mesh.points.size(), 0), first_place_(mesh.points) {
+      move_tried_(mesh.points.size(), 0), held_(mesh.points.size(), 0), first_place_(mesh.points) {
     parallel_for(mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const NodeId v(i);

@@ -3,6 +3,7 @@
 /// A mesh on its way to be unit in a metric: what all operators of the adaptation look at.
 #pragma once
 
+#include "core/adapt/length_excess.h"
 #include "core/adapt/metric_source.h"
 #include "core/base/stop_check.h"
 #include "core/metric/edge_length.h"
@@ -33,6 +34,30 @@ public:
     [[nodiscard]] double length(NodeId a, const Vec<D>& p, NodeId b) const {
         const Vec<D> e = edit.point(b) - p;
         return edge_length((factor_[a] * e).norm(), (factor_[b] * e).norm());
+    }
+    /// Whether the length of an edge is surely from `low` to `high`, told without a logarithm: seen
+    /// from both ends it is, and the length is a mean of the two.
+    [[nodiscard]] bool is_surely_between(NodeId a, NodeId b, double low, double high) const {
+        const Vec<D> e = edit.point(b) - edit.point(a);
+        const auto is_between = [&](double square) {
+            return square >= low * low && square <= high * high;
+        };
+        return is_between((factor_[a] * e).squaredNorm()) &&
+               is_between((factor_[b] * e).squaredNorm());
+    }
+    /// \see length_excess
+    [[nodiscard]] double excess(NodeId a, NodeId b) const {
+        return is_surely_between(a, b, shortest_in_band, longest_in_band)
+                   ? 0
+                   : length_excess(length(a, b));
+    }
+    /// Sum over the edges from a node to some others.
+    [[nodiscard]] double excess(NodeId v, std::span<const NodeId> others) const {
+        double sum = 0;
+        for (const NodeId w : others) {
+            sum += excess(v, w);
+        }
+        return sum;
     }
     /// Length of a vector in the metric of one node [-].
     [[nodiscard]] double length_at(NodeId v, const Vec<D>& e) const {
