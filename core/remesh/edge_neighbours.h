@@ -28,8 +28,9 @@ public:
 
     /// \param is_worse  whether an element closes its edges; asked of all elements at open edges
     ///                  and behind faces
+    /// \param corners   bit i: corner i may be an end of an open edge
     template <class Worse>
-    void find(const EditMesh<D>& mesh, ElementId e, const Worse& is_worse) {
+    void find(const EditMesh<D>& mesh, ElementId e, const Worse& is_worse, unsigned corners = all) {
         const Simplex<D>& s = mesh.nodes(e);
         sort_corners(mesh, s);
         if (corner_.size() < mesh.node_count()) {
@@ -39,7 +40,7 @@ public:
             corner_[s[i]] = static_cast<std::uint8_t>(1U << i);
             at_[i].clear();
         }
-        closed_ = 0;
+        closed_ = edges_between[all] & ~edges_between[corners & all];
         for (int k = 0; k < D; ++k) {
             // Behind two corners there is only the edge between the two last ones.
             if (k < 2 || is_open(order_[D - 1], order_[D])) {
@@ -51,7 +52,7 @@ public:
         }
     }
 
-    /// Whether no element at the edge between two corners is worse.
+    /// Whether the edge between two corners may be open, and no element at it is worse.
     [[nodiscard]] bool is_open(int i, int j) const {
         return (closed_ >> edge_number(i, j) & 1U) == 0;
     }
@@ -65,7 +66,6 @@ public:
 
     /// The element behind the facet opposite corner i, none if that is at the end of the mesh.
     [[nodiscard]] ElementId behind(int i) const {
-        constexpr unsigned all = (1U << (D + 1)) - 1;
         for (const Neighbour& n : at_[order_[0] == i ? order_[1] : order_[0]]) {
             if (n.shared == (all ^ (1U << i))) {
                 return n.element;
@@ -75,6 +75,8 @@ public:
     }
 
 private:
+    static constexpr unsigned all = (1U << (D + 1)) - 1; ///< corners
+
     /// By the size of their balls; of equal ones the first is first.
     void sort_corners(const EditMesh<D>& mesh, const Simplex<D>& s) {
         for (int i = 0; i <= D; ++i) {

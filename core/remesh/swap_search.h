@@ -43,8 +43,10 @@ public:
         : mesh_(mesh), rules_(rules), options_(options), surface_(surface), verdicts_(verdicts) {}
 
     /// Tries the swaps at one element; true if one was made.
-    /// \param around  of the element; edges are closed by elements of less quality
-    bool mend(ElementId e, const EdgeNeighbours<D>& around) {
+    /// \param around   of the element; edges are closed by elements of less quality
+    /// \param corners  bit i: corner i may be an end of an edge or a face that is tried; as `around`
+    ///                 was found with
+    bool mend(ElementId e, const EdgeNeighbours<D>& around, unsigned corners = ~0U) {
         element_ = e;
         best_quality_ = 0;
         best_verdict_ = Verdict::no_improvement;
@@ -53,7 +55,10 @@ public:
         }
         if constexpr (D == 3) {
             for (int i = 0; i <= D; ++i) {
-                try_face(i, around.behind(i));
+                constexpr unsigned all = (1U << (D + 1)) - 1;
+                if (((corners | 1U << i) & all) == all) {
+                    try_face(i, around.behind(i));
+                }
             }
         }
         verdicts_.add(best_quality_ > 0 ? Verdict::accepted : best_verdict_);
