@@ -44,8 +44,7 @@ public:
 
     /// Tries the swaps at one element; true if one was made.
     /// \param around   of the element; edges are closed by elements of less quality
-    /// \param corners  bit i: corner i may be an end of an edge or a face that is tried; as `around`
-    ///                 was found with
+    /// \param corners  with which `around` was found; faces with others are not tried
     bool mend(ElementId e, const EdgeNeighbours<D>& around, unsigned corners = ~0U) {
         element_ = e;
         best_quality_ = 0;
