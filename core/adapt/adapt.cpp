@@ -64,7 +64,11 @@ AdaptPass run_pass(UnitMesh<D>& mesh, const AdaptOptions& options, int since, Ad
     pass.swaps +=
         swap_to_quality(mesh, options.swap, options.surface, since, report.swaps, monitor);
     if (!options.node_nested) {
-        pass.splits = split_long_edges(mesh, options.split, since, report.splits, monitor);
+        SplitOptions split = options.split;
+        if (options.move_curved) {
+            split.curved = options.surface;
+        }
+        pass.splits = split_long_edges(mesh, split, since, report.splits, monitor);
         pass.swaps +=
             swap_to_quality(mesh, options.swap, options.surface, since, report.swaps, monitor);
     }

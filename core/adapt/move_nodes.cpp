@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/adapt/move_nodes.h"
 
-#include "core/geometry/predicates.h"
-#include "core/remesh/original_surface.h"
+#include "core/adapt/place_on_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -16,15 +14,6 @@ namespace {
 
 /// Turn below which faces count as one plane, and edges as one line.
 constexpr double flat = 1e-10;
-
-Vec<2> face_normal(const std::array<Vec<2>, 2>& x) {
-    const Vec<2> t = x[1] - x[0];
-    return Vec<2>(t[1], -t[0]).normalized();
-}
-
-Vec<3> face_normal(const std::array<Vec<3>, 3>& x) {
-    return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-}
 
 /// Where a node may go.
 enum class Room {
@@ -184,17 +173,13 @@ private:
     }
 
     void collect_patch(NodeId v) {
-        gather_faces(mesh_.edit, v, faces_);
-        normal_.setZero();
-        for (const auto& x : faces_.corners) {
-            normal_ += face_normal(x);
-        }
-        normal_.normalize();
-        const Vec<D> first = face_normal(faces_.corners.front());
-        const bool plane =
-            std::all_of(faces_.corners.begin(), faces_.corners.end(),
-                        [&](const auto& x) { return (face_normal(x) - first).norm() < flat; });
-        for (const ElementId e : faces_.ghosts) {
+        gather_site(mesh_.edit, v, site_);
+        const auto& corners = site_.faces.corners;
+        const Vec<D> first = unit_normal(corners.front());
+        const bool plane = std::all_of(corners.begin(), corners.end(), [&](const auto& x) {
+            return (unit_normal(x) - first).norm() < flat;
+        });
+        for (const ElementId e : site_.faces.ghosts) {
             const Facet<D> face = ghost_face<D>(mesh_.edit.nodes(e));
             std::copy_if(face.begin(), face.end(), std::back_inserter(guides_),
                          [&](NodeId w) { return w != v; });
@@ -202,7 +187,6 @@ private:
         std::sort(guides_.begin(), guides_.end());
         guides_.erase(std::unique(guides_.begin(), guides_.end()), guides_.end());
         room_ = plane ? Room::plane : may_curve() ? Room::surface : Room::none;
-        collect_labels();
     }
 
     void collect_line(NodeId v) {
@@ -218,19 +202,9 @@ private:
             room_ = Room::plane;
             return;
         }
-        gather_faces(mesh_.edit, v, faces_);
-        collect_labels();
-        normal_ = (b - a).normalized();
-        room_ = may_curve() && labels_.size() == 2 ? Room::curve : Room::none;
-    }
-
-    void collect_labels() {
-        labels_.clear();
-        for (const ElementId e : faces_.ghosts) {
-            labels_.push_back(mesh_.edit.element(e).label);
-        }
-        std::sort(labels_.begin(), labels_.end());
-        labels_.erase(std::unique(labels_.begin(), labels_.end()), labels_.end());
+        gather_site(mesh_.edit, v, site_);
+        site_.direction = (b - a).normalized();
+        room_ = may_curve() && site_.patches.size() == 2 ? Room::curve : Room::none;
     }
 
     /// The place a step leads to, if there is one.
@@ -245,67 +219,21 @@ private:
                 }
             }
         } else if (room_ == Room::surface) {
-            return place_on_surface(old + (step - normal_ * normal_.dot(step)));
+            p = old + (step - site_.direction * site_.direction.dot(step));
         } else if (room_ == Room::curve) {
-            return place_on_curve(old + normal_ * normal_.dot(step));
+            p = old + site_.direction * site_.direction.dot(step);
         }
-        return p;
+        return is_curved() ? place_on_surface(*mesh_.edit.original_surface(), site_, p,
+                                              options_.curved->largest_turn_deg)
+                           : std::optional<Vec<D>>(p);
     }
 
-    /// Cosine of the largest angle between the mesh and the original surface where a node is put:
-    /// the nearest place may be on the other side of something thin.
-    [[nodiscard]] double least_cosine() const {
-        return std::cos(options_.curved->largest_turn_deg * std::numbers::pi / 180);
-    }
-
-    [[nodiscard]] std::optional<Vec<D>> place_on_surface(const Vec<D>& p) const {
-        const OriginalSurface<D>& original = *mesh_.edit.original_surface();
-        const BoundaryPoint<D> foot = original.projection().project(p, labels_);
-        std::array<Vec<D>, D> x;
-        for (std::size_t i = 0; i < D; ++i) {
-            x[i] = original.boundary().points[foot.nodes[i]];
-        }
-        if (!(face_normal(x).dot(normal_) >= least_cosine())) {
-            return {};
-        }
-        return mean_of(x, foot);
-    }
-
-    [[nodiscard]] std::optional<Vec<D>> place_on_curve(const Vec<D>& p) const {
-        const OriginalSurface<D>& original = *mesh_.edit.original_surface();
-        const BoundaryPoint<D> foot = original.projection().project_on_border(p, labels_);
-        if (!foot.nodes[0].valid()) {
-            return {};
-        }
-        std::array<Vec<D>, D> x;
-        for (std::size_t i = 0; i < D; ++i) {
-            x[i] = original.boundary().points[foot.nodes[i]];
-        }
-        if (!(std::abs((x[1] - x[0]).normalized().dot(normal_)) >= least_cosine())) {
-            return {};
-        }
-        return mean_of(x, foot);
-    }
-
-    /// What the corners have in common is kept to the bit.
-    static Vec<D> mean_of(const std::array<Vec<D>, D>& x, const BoundaryPoint<D>& foot) {
-        Vec<D> p = Vec<D>::Zero();
-        for (std::size_t i = 0; i < D; ++i) {
-            p += foot.weights[i] * x[i];
-        }
-        for (int k = 0; k < D; ++k) {
-            if (std::all_of(x.begin(), x.end(), [&](const Vec<D>& y) { return y[k] == x[0][k]; })) {
-                p[k] = x[0][k];
-            }
-        }
-        return p;
-    }
+    [[nodiscard]] bool is_curved() const { return room_ == Room::surface || room_ == Room::curve; }
 
     /// Whether the boundary at a node that moved on it is one the rules allow.
     [[nodiscard]] bool keeps_surface(NodeId v) {
-        return (room_ != Room::surface && room_ != Room::curve) ||
-               judge_moved_faces(mesh_.edit, v, faces_, mesh_.short_size(v), *options_.curved) ==
-                   Verdict::accepted;
+        return !is_curved() || judge_moved_faces(mesh_.edit, v, site_.faces, mesh_.short_size(v),
+                                                 *options_.curved) == Verdict::accepted;
     }
 
     /// Mean of the places one unit away from each guide, on the line to it.
@@ -375,9 +303,7 @@ private:
     const MoveOptions& options_;
     std::vector<NodeId> guides_, neighbours_;
     Room room_ = Room::none;
-    NodeFaces<D> faces_;      ///< before the move; on curved patches and lines
-    Vec<D> normal_;           ///< mean one of these; on a curve its tangent
-    std::vector<int> labels_; ///< of these, ascending
+    SurfaceSite<D> site_; ///< before the move; on curved patches and lines
     std::vector<double> qualities_;
     double excess_before_ = 0; ///< of the edges to neighbours_
     Measure before_;

@@ -2,6 +2,7 @@
 #include "core/adapt/split_edges.h"
 
 #include "core/adapt/edge_queue.h"
+#include "core/adapt/place_on_surface.h"
 #include "core/remesh/edge_shell.h"
 
 #include <algorithm>
@@ -40,6 +41,9 @@ public:
         }
         mesh_.replace(cavity_, star_);
         mesh_.edit.split_ridge(a, b, m);
+        if (options_.curved && mesh_.edit.on_boundary(m)) {
+            put_on_surface(a, b, m);
+        }
         return verdict;
     }
 
@@ -48,14 +52,92 @@ private:
         // What is asked falls to nothing where the edge is much too long.
         const double strict =
             std::max(0.0, (options_.much_above - length) / (options_.much_above - options_.above));
+        least_quality_ = strict * options_.quality_share * worst_quality(mesh_.edit, cavity_);
+        gather_near();
         if (options_.by_excess ? !lowers_excess(a, b, m) : is_crowded(a, b, m, strict)) {
             return Verdict::short_edge;
         }
         const Verdict verdict = make_star(mesh_.edit, cavity_, m, star_);
-        return verdict == Verdict::accepted ? mesh_.judge(strict * options_.quality_share *
-                                                              worst_quality(mesh_.edit, cavity_),
-                                                          star_)
-                                            : verdict;
+        return verdict == Verdict::accepted ? mesh_.judge(least_quality_, star_) : verdict;
+    }
+
+    /// Moves a node that was put into an edge of the boundary to the original surface. There it is
+    /// judged as on the edge, and as any node that moves on that surface.
+    void put_on_surface(NodeId a, NodeId b, NodeId m) {
+        const std::optional<Vec<D>> place = place_of(a, b, m);
+        if (!place) {
+            return;
+        }
+        const auto old = mesh_.state(m);
+        mesh_.move_node(m, *place);
+        if ((!options_.by_excess || lowers_excess(a, b, m)) && keeps_elements(m) &&
+            judge_moved_faces(mesh_.edit, m, site_.faces, mesh_.short_size(m), *options_.curved) ==
+                Verdict::accepted) {
+            store(m);
+        } else {
+            mesh_.restore(m, old);
+        }
+    }
+
+    /// Where a node in an edge of the boundary should be; none if that is where it is, to rounding,
+    /// as on planes and straight lines.
+    [[nodiscard]] std::optional<Vec<D>> place_of(NodeId a, NodeId b, NodeId m) {
+        constexpr double rounding = 1e-14; // of coordinates
+        const bool on_ridge = mesh_.edit.node_class(m) == NodeClass::ridge;
+        gather_site(mesh_.edit, m, site_);
+        const OriginalSurface<D>* original = mesh_.edit.original_surface();
+        if (original == nullptr || site_.patches.size() != (on_ridge ? 2 : 1)) {
+            return {};
+        }
+        if (on_ridge) {
+            site_.direction = (mesh_.edit.point(b) - mesh_.edit.point(a)).normalized();
+        }
+        const Vec<D>& p = mesh_.edit.point(m);
+        std::optional<Vec<D>> place =
+            place_on_surface(*original, site_, p, options_.curved->largest_turn_deg);
+        if (place && (*place - p).norm() <= rounding * p.cwiseAbs().maxCoeff()) {
+            place.reset();
+        }
+        return place;
+    }
+
+    /// Whether the elements at a node that has moved are not inverted, and good enough.
+    [[nodiscard]] bool keeps_elements(NodeId m) {
+        qualities_.clear();
+        for (const ElementId e : mesh_.edit.ball(m)) {
+            if (mesh_.edit.is_ghost(e)) {
+                continue;
+            }
+            qualities_.push_back(mesh_.quality(mesh_.edit.nodes(e)));
+            if (qualities_.back() <= least_quality_ ||
+                !is_positive(mesh_.edit, mesh_.edit.nodes(e))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Keeps the qualities just found.
+    void store(NodeId m) {
+        std::size_t k = 0;
+        for (const ElementId e : mesh_.edit.ball(m)) {
+            if (!mesh_.edit.is_ghost(e)) {
+                mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
+            }
+        }
+        mesh_.touch_ball(m);
+    }
+
+    void gather_near() {
+        near_.clear();
+        for (const ElementId e : cavity_.elements) {
+            for (const NodeId v : mesh_.edit.nodes(e)) {
+                if (v != mesh_.edit.ghost() &&
+                    std::find(near_.begin(), near_.end(), v) == near_.end()) {
+                    near_.push_back(v);
+                }
+            }
+        }
     }
 
     /// Nodes that are freer to move do not count: they can leave onto the new one. Otherwise the
@@ -70,17 +152,10 @@ private:
     [[nodiscard]] bool is_crowded(NodeId a, NodeId b, NodeId m, double strict) {
         const double shortest =
             strict * options_.shortest + (1 - strict) * options_.shortest_among_long;
-        near_.clear();
-        for (const ElementId e : cavity_.elements) {
-            for (const NodeId v : mesh_.edit.nodes(e)) {
-                if (v != mesh_.edit.ghost() &&
-                    std::find(near_.begin(), near_.end(), v) == near_.end()) {
-                    if (v != a && v != b && is_too_near(m, v, shortest)) {
-                        return true;
-                    }
-                    near_.push_back(v);
-                }
-            }
+        if (std::any_of(near_.begin(), near_.end(), [&](NodeId v) {
+                return v != a && v != b && is_too_near(m, v, shortest);
+            })) {
+            return true;
         }
         if (strict > 0.5) {
             return false;
@@ -97,25 +172,19 @@ private:
     }
 
     /// Whether the edges to the new node have a smaller sum of excesses than the one that goes.
-    [[nodiscard]] bool lowers_excess(NodeId a, NodeId b, NodeId m) {
-        const double most = mesh_.excess(a, b) - least_excess_fall;
-        near_.clear();
-        for (const ElementId e : cavity_.elements) {
-            for (const NodeId v : mesh_.edit.nodes(e)) {
-                if (v != mesh_.edit.ghost() &&
-                    std::find(near_.begin(), near_.end(), v) == near_.end()) {
-                    near_.push_back(v);
-                }
-            }
-        }
-        return mesh_.excess(m, near_) <= most;
+    [[nodiscard]] bool lowers_excess(NodeId a, NodeId b, NodeId m) const {
+        return mesh_.excess(m, near_) <= mesh_.excess(a, b) - least_excess_fall;
     }
 
     UnitMesh<D>& mesh_;
     const SplitOptions& options_;
-    std::vector<NodeId> near_, neighbours_;
+    std::vector<NodeId> near_; ///< of the shell
+    std::vector<NodeId> neighbours_;
     Cavity<D> cavity_;
     Star<D> star_;
+    double least_quality_ = 0; ///< of the elements that come [-]
+    SurfaceSite<D> site_;
+    std::vector<double> qualities_;
 };
 
 } // namespace

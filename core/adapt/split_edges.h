@@ -5,6 +5,8 @@
 
 #include "core/adapt/unit_mesh.h"
 
+#include <optional>
+
 namespace ameco {
 
 struct SplitOptions {
@@ -14,6 +16,9 @@ struct SplitOptions {
     double shortest_among_long = 0.8; ///< than this [-]
     bool by_excess = false;     ///< instead of these: the sum of the excesses of lengths must fall
     double quality_share = 0.5; ///< the worst quality may fall to this share of what it was
+    std::optional<SurfaceRules> curved = {}; ///< nodes on curved patches, and on curved lines
+                                             ///< between two, are put on the original surface;
+                                             ///< none: they stay on the edge
 };
 
 /// Adds the node that halves an edge in the metric. No element has it yet.
@@ -21,8 +26,10 @@ struct SplitOptions {
 template <int D>
 NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& shell);
 
-/// Splits edges, the longest first: the shell of the edge is starred from a new node on it. Edges
-/// made on the way are left to the next call.
+/// Splits edges, the longest first: the shell of the edge is starred from a new node on it. Where
+/// the boundary is curved the node then goes to the nearest place on the original surface, or stays
+/// on the edge if an element would be inverted or too bad there, or the rules refuse the boundary.
+/// Edges made on the way are left to the next call.
 /// \param since  only edges with an end that has changed since are looked at
 /// \return  number of splits made
 /// \see length_excess.h

@@ -152,6 +152,20 @@ double surface_in_band(const Mesh<3>& mesh, const MetricField<3>& field) {
     return static_cast<double>(in_band) / static_cast<double>(lengths.size());
 }
 
+/// Share of the nodes of the boundary that lie on that of another mesh, to rounding.
+double on_boundary_of(const Mesh<3>& mesh, const Mesh<3>& original) {
+    const BoundaryProjection<3> projection(original);
+    const auto patches = node_patches(mesh);
+    double on = 0, all = 0;
+    for (const NodeId v : mesh.points.ids()) {
+        if (!patches[v].empty()) {
+            ++all;
+            on += projection.project(mesh.points[v], patches[v]).distance <= 1e-12 ? 1 : 0;
+        }
+    }
+    return on / all;
+}
+
 void adapt_one(const char* what, const Mesh<3>& mesh, const WallMetric& metric) {
     for (const bool moves : {false, true}) {
         AdaptOptions options;
@@ -164,13 +178,14 @@ void adapt_one(const char* what, const Mesh<3>& mesh, const WallMetric& metric) 
             distance = std::max(distance, fit.over_edge);
         }
         std::printf("%-16s %-5s %7lld %6.1f %6.1f %6.1f  %5.2f %5.2f  %.3f / %.3f  %7.4f  %9.1e  "
-                    "%9.1e %8lld\n",
+                    "%9.1e %8lld %6.1f\n",
                     what, moves ? "move" : "stay", static_cast<long long>(r.nodes_after), r.seconds,
                     percent(r.conformity.in_band), percent(surface_in_band(made.mesh, made.metric)),
                     r.conformity.shortest, r.conformity.longest, r.conformity.worst_quality,
                     r.conformity.mean_quality, distance, r.check.volume / check(mesh).volume - 1,
                     boundary_fit::area_change(made.mesh, mesh),
-                    static_cast<long long>(r.moves[Verdict::accepted]));
+                    static_cast<long long>(r.moves[Verdict::accepted]),
+                    percent(on_boundary_of(made.mesh, mesh)));
         std::fflush(stdout);
     }
 }
@@ -179,9 +194,10 @@ void adapt_curved() {
     std::printf(
         "\nAdaptation on curved walls; nodes of the walls stay or move. In band: all edges, "
         "those of the boundary [%%]; distance: largest to the boundary given, over the "
-        "edge; volume and area: relative change\n"
+        "edge; volume and area: relative change; on: nodes of the boundary that lie on the one "
+        "given [%%]\n"
         "case             nodes     after      s    all  bound.     lengths      quality   "
-        "    distance    volume       area    moves\n");
+        "    distance    volume       area    moves     on\n");
     ShellOptions shell;
     shell.frequency = 8;
     shell.aspect_ratio = 10;
