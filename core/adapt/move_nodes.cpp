@@ -38,9 +38,12 @@ public:
         if (options_.by_excess) {
             mesh_.edit.neighbours(v, neighbours_);
             excess_before_ = mesh_.excess(v, neighbours_);
-            if (excess_before_ > 0 && search(v, into_band(v), Aim::lengths)) {
-                return Verdict::accepted;
-            }
+        }
+        if (is_curved() && put_on_surface(v)) {
+            return Verdict::accepted;
+        }
+        if (options_.by_excess && excess_before_ > 0 && search(v, into_band(v), Aim::lengths)) {
+            return Verdict::accepted;
         }
         if (before_.worst >= options_.below) {
             return Verdict::no_improvement;
@@ -53,7 +56,7 @@ public:
     }
 
 private:
-    enum class Aim { quality, lengths };
+    enum class Aim { quality, lengths, surface };
 
     bool search(NodeId v, const Vec<D>& step, Aim aim) {
         const auto old = mesh_.state(v);
@@ -63,20 +66,35 @@ private:
             if (!place) {
                 continue;
             }
-            const Vec<D>& p = *place;
-            if (p == old.point) {
+            if (*place == old.point) {
                 break;
             }
-            if (mesh_.length_at(v, p - mesh_.first_place(v)) > options_.farthest) {
-                continue;
-            }
-            mesh_.move_node(v, p);
-            if (is_better(v, aim) && keeps_surface(v)) {
-                store(v);
+            if (try_place(v, old, *place, aim)) {
                 return true;
             }
-            mesh_.restore(v, old);
         }
+        return false;
+    }
+
+    /// Puts a node that is off the original surface, as one may be that was put into an edge, on
+    /// it.
+    bool put_on_surface(NodeId v) {
+        const auto old = mesh_.state(v);
+        const std::optional<Vec<D>> place = place_at(old.point, Vec<D>::Zero());
+        return place && !is_same_place<D>(*place, old.point) &&
+               try_place(v, old, *place, Aim::surface);
+    }
+
+    bool try_place(NodeId v, const typename UnitMesh<D>::NodeState& old, const Vec<D>& p, Aim aim) {
+        if (mesh_.length_at(v, p - mesh_.first_place(v)) > options_.farthest) {
+            return false;
+        }
+        mesh_.move_node(v, p);
+        if (is_better(v, aim) && keeps_surface(v)) {
+            store(v);
+            return true;
+        }
+        mesh_.restore(v, old);
         return false;
     }
 
@@ -260,9 +278,9 @@ private:
 
     bool is_better(NodeId v, Aim aim) {
         const double least =
-            aim == Aim::lengths ? std::min(options_.excess_quality, before_.worst) : 0;
-        const double most = aim == Aim::lengths ? std::numeric_limits<double>::infinity()
-                                                : before_.inverse_sum / options_.gain;
+            aim == Aim::quality ? 0 : std::min(options_.excess_quality, before_.worst);
+        const double most = aim == Aim::quality ? before_.inverse_sum / options_.gain
+                                                : std::numeric_limits<double>::infinity();
         Measure after;
         qualities_.clear();
         for (const ElementId e : mesh_.edit.ball(v)) {

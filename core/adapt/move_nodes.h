@@ -19,7 +19,8 @@ struct MoveOptions {
     double farthest = 1e300;     ///< from a node's first place in the UnitMesh, in the metric [-]
     std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
                                              ///< between two, which move on the original
-                                             ///< surface; none: they stay
+                                             ///< surface; those that are off it first go there,
+                                             ///< as above; none: they stay
 };
 
 /// Moves one node, as `move_nodes` does.

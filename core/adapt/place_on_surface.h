@@ -38,4 +38,12 @@ template <int D>
                                                      const SurfaceSite<D>& site, const Vec<D>& p,
                                                      double largest_turn_deg);
 
+/// Whether two places are the same to rounding. Nodes of planes and straight lines of the original
+/// surface, which are on it, keep their coordinates to the bit.
+template <int D>
+[[nodiscard]] bool is_same_place(const Vec<D>& p, const Vec<D>& q) {
+    constexpr double rounding = 1e-14; // of coordinates
+    return (p - q).norm() <= rounding * q.cwiseAbs().maxCoeff();
+}
+
 } // namespace ameco

@@ -61,13 +61,15 @@ private:
         return verdict == Verdict::accepted ? mesh_.judge(least_quality_, star_) : verdict;
     }
 
-    /// Moves a node that was put into an edge of the boundary to the original surface. There it is
-    /// judged as on the edge, and as any node that moves on that surface.
+    /// Moves a node that was put into an edge of the boundary to the original surface, if what is
+    /// asked of a split, and of a node that moves on that surface, is true there too.
     void put_on_surface(NodeId a, NodeId b, NodeId m) {
         const std::optional<Vec<D>> place = place_of(a, b, m);
         if (!place) {
             return;
         }
+        least_quality_ =
+            std::max(least_quality_, std::min(options_.surface_quality, star_.worst_quality));
         const auto old = mesh_.state(m);
         mesh_.move_node(m, *place);
         if ((!options_.by_excess || lowers_excess(a, b, m)) && keeps_elements(m) &&
@@ -82,7 +84,6 @@ private:
     /// Where a node in an edge of the boundary should be; none if that is where it is, to rounding,
     /// as on planes and straight lines.
     [[nodiscard]] std::optional<Vec<D>> place_of(NodeId a, NodeId b, NodeId m) {
-        constexpr double rounding = 1e-14; // of coordinates
         const bool on_ridge = mesh_.edit.node_class(m) == NodeClass::ridge;
         gather_site(mesh_.edit, m, site_);
         const OriginalSurface<D>* original = mesh_.edit.original_surface();
@@ -95,10 +96,7 @@ private:
         const Vec<D>& p = mesh_.edit.point(m);
         std::optional<Vec<D>> place =
             place_on_surface(*original, site_, p, options_.curved->largest_turn_deg);
-        if (place && (*place - p).norm() <= rounding * p.cwiseAbs().maxCoeff()) {
-            place.reset();
-        }
-        return place;
+        return place && !is_same_place(*place, p) ? place : std::nullopt;
     }
 
     /// Whether the elements at a node that has moved are not inverted, and good enough.

@@ -19,6 +19,7 @@ struct SplitOptions {
     std::optional<SurfaceRules> curved = {}; ///< nodes on curved patches, and on curved lines
                                              ///< between two, are put on the original surface;
                                              ///< none: they stay on the edge
+    double surface_quality = 0.4;            ///< there the worst quality may fall to this [-]
 };
 
 /// Adds the node that halves an edge in the metric. No element has it yet.
