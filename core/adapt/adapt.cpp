@@ -141,9 +141,14 @@ void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptR
         const AdaptPass& pass = report.passes.back();
         since = now;
         const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;
-        if (static_cast<double>(pass.splits + pass.collapses) <
-            options.settled * static_cast<double>(pass.nodes)) {
+        if (!mtc && !now_options.move.by_excess &&
+            static_cast<double>(pass.splits + pass.collapses) <
+                options.settled * static_cast<double>(pass.nodes)) {
             judge_by_excess(now_options);
+            for (const NodeId v : mesh.edit.nodes()) {
+                mesh.touch(v); // what was tried in vain before need not be in vain now
+            }
+            continue;
         }
         const double fewest = mtc ? 0 : options.fewest * static_cast<double>(pass.nodes);
         if (changes == 0 || static_cast<double>(changes) < fewest) {

@@ -70,6 +70,20 @@ private slots:
         QVERIFY(edges.front().length > 0.5);
     }
 
+    void by_excess_the_sum_over_the_mesh_falls_with_each() {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Bench<3> bench(3, LayerMetric<3>(0.1, 0.2, 0.3), seed);
+            VerdictCounts verdicts;
+            const double before = total_excess(bench.unit);
+            const std::int64_t made =
+                split_long_edges(bench.unit, {.by_excess = true}, 0, verdicts);
+            QVERIFY(made > 0);
+            QVERIFY(total_excess(bench.unit) <=
+                    before - 0.99 * least_excess_fall * static_cast<double>(made));
+            QVERIFY2(bench.complaint().empty(), bench.complaint().c_str());
+        }
+    }
+
     void a_ridge_stays_a_ridge() {
         Bench<3> bench(2, UniformMetric<3>(0.3), 1);
         VerdictCounts verdicts;
