@@ -297,7 +297,7 @@ private:
         if (aim == Aim::quality && after.worst < before_.worst && after.worst < 0.3) {
             return false;
         }
-        if (options_.by_excess &&
+        if (options_.by_excess && aim != Aim::surface &&
             mesh_.excess(v, neighbours_) >
                 excess_before_ - (aim == Aim::lengths ? least_excess_fall : 0)) {
             return false;

@@ -15,12 +15,12 @@ struct MoveOptions {
     int halvings = 3;       ///< of a step that is refused
     bool by_excess = false; ///< first to where the sum of the excesses of lengths falls, and never
                             ///< to where it rises; the worst quality may fall by that ...
-    double excess_quality = 0.4; ///< ... to this [-]
+    double excess_quality = 0.4; ///< ... to this [-], as on the way to the surface below
     double farthest = 1e300;     ///< from a node's first place in the UnitMesh, in the metric [-]
     std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
                                              ///< between two, which move on the original
-                                             ///< surface; those that are off it first go there,
-                                             ///< as above; none: they stay
+                                             ///< surface; those that are off it go there first;
+                                             ///< none: they stay
 };
 
 /// Moves one node, as `move_nodes` does.

@@ -61,8 +61,8 @@ private:
         return verdict == Verdict::accepted ? mesh_.judge(least_quality_, star_) : verdict;
     }
 
-    /// Moves a node that was put into an edge of the boundary to the original surface, if what is
-    /// asked of a split, and of a node that moves on that surface, is true there too.
+    /// Moves a node that was put into an edge of the boundary to the original surface, if elements
+    /// and boundary are good enough there. Lengths change little, and are left to later operations.
     void put_on_surface(NodeId a, NodeId b, NodeId m) {
         const std::optional<Vec<D>> place = place_of(a, b, m);
         if (!place) {
@@ -72,9 +72,8 @@ private:
             std::max(least_quality_, std::min(options_.surface_quality, star_.worst_quality));
         const auto old = mesh_.state(m);
         mesh_.move_node(m, *place);
-        if ((!options_.by_excess || lowers_excess(a, b, m)) && keeps_elements(m) &&
-            judge_moved_faces(mesh_.edit, m, site_.faces, mesh_.short_size(m), *options_.curved) ==
-                Verdict::accepted) {
+        if (keeps_elements(m) && judge_moved_faces(mesh_.edit, m, site_.faces, mesh_.short_size(m),
+                                                   *options_.curved) == Verdict::accepted) {
             store(m);
         } else {
             mesh_.restore(m, old);
