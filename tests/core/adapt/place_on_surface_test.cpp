@@ -150,7 +150,7 @@ private slots:
             } else if (curved->layer_share < 0.5) { // refused, so they stay on the chords
                 QCOMPARE(count, on_chords);
             } else {
-                QCOMPARE_LT(10 * count, on_chords);
+                QCOMPARE_LT(3 * count, on_chords);
             }
         }
     }
