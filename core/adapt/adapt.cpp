@@ -110,24 +110,42 @@ Stage<D> first_stage(const Mesh<D>& mesh, const MetricSource<D>& source,
     return stage;
 }
 
+/// Has splits and collapses lower the sum of the excesses of lengths, and moves keep it or lower
+/// it: what one of them mends no other undoes.
+void judge_by_excess(AdaptOptions& options) {
+    options.split.by_excess = true;
+    options.collapse.by_excess = true;
+    options.move.by_excess = true;
+}
+
 /// Passes over a stage until little changes; sweeps of the paper's engine until nothing does.
 template <int D>
 void run_passes(UnitMesh<D>& mesh, const AdaptOptions& options, int most, AdaptReport& report,
                 Monitor& monitor) {
     int since = 0;
     BoundaryDistance<D> surface;
+    AdaptOptions now_options = options;
     for (int n = 0; n < most; ++n) {
         monitor.progress(static_cast<double>(n) / most, "adapting");
         stop_if_asked(monitor);
         const int now = mesh.tick();
         const bool mtc = options.engine == Engine::mtc;
         report.passes.push_back(mtc ? run_sweep(mesh, options, since, report, monitor)
-                                    : run_pass(mesh, options, since, report, monitor));
+                                    : run_pass(mesh, now_options, since, report, monitor));
         stop_if_asked(monitor); // what was done last may have been cut short
         surface.measure(mesh.edit);
         const AdaptPass& pass = report.passes.back();
         since = now;
         const auto changes = pass.splits + pass.collapses + pass.swaps + pass.moves;
+        if (!mtc && !now_options.move.by_excess &&
+            static_cast<double>(pass.splits + pass.collapses) <
+                options.settled * static_cast<double>(pass.nodes)) {
+            judge_by_excess(now_options);
+            for (const NodeId v : mesh.edit.nodes()) {
+                mesh.touch(v); // what was tried in vain before need not be in vain now
+            }
+            continue;
+        }
         const double fewest = mtc ? 0 : options.fewest * static_cast<double>(pass.nodes);
         if (changes == 0 || static_cast<double>(changes) < fewest) {
             break;
@@ -164,6 +182,7 @@ void approach(Stage<D>& stage, const MetricSource<D>& source, const AdaptOptions
               AdaptReport& report, Monitor& monitor) {
     AdaptOptions on_stages = options;
     on_stages.swap.below = options.stage_swap_below;
+    on_stages.settled = 0; // what is wanted there is a way, not lengths
     double left_before = std::numeric_limits<double>::infinity();
     for (int n = 0; n < options.stages; ++n) {
         const MetricField<D> natural = nodal_metric(stage.mesh, Mean::blended);

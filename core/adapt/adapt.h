@@ -33,8 +33,8 @@ struct AdaptOptions {
     SurfaceRules surface;
     SplitOptions split;
     CollapseOptions collapse;
-    SwapOptions swap{.below = 0.8, .gain = 1.01, .rounds = 2};
-    MoveOptions move;
+    SwapOptions swap{.below = 0.7, .gain = 1.01, .rounds = 2};
+    MoveOptions move{.halvings = 2};
     bool move_curved = true; ///< nodes of curved patches move on the boundary of the given mesh
     bool node_nested =
         false; ///< no new nodes, and none is moved: what is left are nodes of the mesh
@@ -43,8 +43,10 @@ struct AdaptOptions {
     int stage_passes = 2;          ///< over each stage but the last
     int stages = 40;               ///< at most, before the last one, which comes ...
     double left_beyond = 0.05;     ///< ... when no more than this share of nodes is out of reach
-    int passes = 20;               ///< over the last one, at most; it ends earlier ...
-    double fewest = 0.03;          ///< ... when a pass makes fewer changes than this per node
+    double settled = 0.15; ///< once a pass over the last one makes fewer splits and collapses
+                           ///< per node than this, lengths go by their excess; 0: never
+    int passes = 20;       ///< over the last one, at most; it ends earlier ...
+    double fewest = 0.1;   ///< ... when a pass makes fewer changes than this per node
 };
 
 /// The quality of elements that options ask for. Where they leave it open, `fast` takes the shape,

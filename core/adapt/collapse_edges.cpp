@@ -42,14 +42,8 @@ private:
         }
         gather_ball(mesh_.edit, collapse.removed, ball_);
         mesh_.edit.neighbours(collapse.removed, neighbours_);
-        double longest = options_.longest;
-        for (const NodeId v : neighbours_) {
-            longest = std::max(longest, mesh_.length(collapse.removed, v));
-        }
-        for (const NodeId v : neighbours_) {
-            if (v != collapse.kept && mesh_.length(collapse.kept, v) > longest) {
-                return Verdict::long_edge;
-            }
+        if (options_.by_excess ? !lowers_excess(collapse) : makes_long_edges(collapse)) {
+            return Verdict::long_edge;
         }
         verdict = make_star(mesh_.edit, ball_, collapse.kept, star_);
         if (verdict == Verdict::accepted) {
@@ -64,6 +58,30 @@ private:
         return verdict;
     }
 
+    [[nodiscard]] bool makes_long_edges(Collapse collapse) const {
+        double longest = options_.longest;
+        for (const NodeId v : neighbours_) {
+            longest = std::max(longest, mesh_.length(collapse.removed, v));
+        }
+        return std::any_of(neighbours_.begin(), neighbours_.end(), [&](NodeId v) {
+            return v != collapse.kept && mesh_.length(collapse.kept, v) > longest;
+        });
+    }
+
+    /// Whether the edges that come have a smaller sum of excesses than those that go.
+    [[nodiscard]] bool lowers_excess(Collapse collapse) {
+        const double most = mesh_.excess(collapse.removed, neighbours_) - least_excess_fall;
+        mesh_.edit.neighbours(collapse.kept, beside_kept_);
+        double after = 0;
+        for (const NodeId v : neighbours_) {
+            if (v != collapse.kept &&
+                !std::binary_search(beside_kept_.begin(), beside_kept_.end(), v)) {
+                after += mesh_.excess(collapse.kept, v);
+            }
+        }
+        return after <= most;
+    }
+
     void make(Collapse collapse, const Cavity<D>& ball, const Star<D>& star) {
         if (mesh_.edit.node_class(collapse.removed) == NodeClass::ridge) {
             mesh_.edit.merge_ridges(collapse.removed, collapse.kept);
@@ -76,7 +94,8 @@ private:
     const SurfaceRules& surface_;
     Cavity<D> ball_, best_ball_;
     Star<D> star_, best_star_;
-    std::vector<NodeId> neighbours_;
+    std::vector<NodeId> neighbours_; ///< of the node that is to go
+    std::vector<NodeId> beside_kept_;
 };
 
 } // namespace
@@ -85,8 +104,7 @@ template <int D>
 std::int64_t collapse_short_edges(UnitMesh<D>& mesh, const CollapseOptions& options,
                                   const SurfaceRules& surface, int since, VerdictCounts& verdicts,
                                   const Monitor& monitor) {
-    const std::vector<LongEdge> queue =
-        edges_by_length(mesh, since, [&](double length) { return length < options.below; });
+    const std::vector<LongEdge> queue = edges_by_length(mesh, since, {.below = options.below});
     Collapser<D> collapser(mesh, options, surface);
     std::int64_t made = 0;
     StopCheck stop(monitor);

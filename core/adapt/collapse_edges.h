@@ -11,6 +11,7 @@ struct CollapseOptions {
     double below = 0.70710678118654752; ///< edges shorter than this are collapsed [-]
     double longest = 1.6;               ///< no new edge may be longer than this, or than one it
                                         ///< replaces [-]
+    bool by_excess = false;     ///< instead of that: the sum of the excesses of lengths must fall
     double quality_share = 1.0; ///< the worst quality may fall to this share of what it was ...
     double quality_floor = 0.2; ///< ... and to this, where it was better [-]
 };
@@ -18,6 +19,7 @@ struct CollapseOptions {
 /// Collapses edges, the shortest first, onto whichever end leaves the better elements.
 /// \param since  only edges with an end that has changed since are looked at
 /// \return  number of nodes removed
+/// \see length_excess.h
 template <int D>
 std::int64_t collapse_short_edges(UnitMesh<D>& mesh, const CollapseOptions& options,
                                   const SurfaceRules& surface, int since, VerdictCounts& verdicts,

@@ -9,33 +9,35 @@ namespace ameco {
 
 template <int D>
 std::vector<LongEdge> edges_by_length(const UnitMesh<D>& mesh, int since,
-                                      const std::function<bool(double)>& wanted) {
+                                      const LengthsWanted& wanted) {
     std::vector<LongEdge> edges;
-    std::vector<NodeId> neighbours;
-    for (const NodeId v : mesh.edit.nodes()) {
-        if (mesh.edit.is_removed(v) || !mesh.changed_since(v, since)) {
+    for (std::size_t i = 0; i < mesh.edit.slot_count(); ++i) {
+        const ElementId e(i);
+        if (mesh.edit.is_free(e) || mesh.edit.is_ghost(e)) {
             continue;
         }
-        mesh.edit.neighbours(v, neighbours);
-        for (const NodeId w : neighbours) {
-            if (w < v && mesh.changed_since(w, since)) {
-                continue; // seen from w
+        const Simplex<D>& s = mesh.edit.nodes(e);
+        for (const auto& [p, q] : SimplexNumbering<D>::edges) {
+            const Edge edge = sorted(Edge{s[p], s[q]});
+            if ((!mesh.changed_since(edge[0], since) && !mesh.changed_since(edge[1], since)) ||
+                mesh.is_surely_between(edge[0], edge[1], wanted.below, wanted.above)) {
+                continue;
             }
-            const double length = mesh.length(v, w);
-            if (wanted(length)) {
-                edges.push_back({length, sorted(Edge{v, w})});
+            const double length = mesh.length(edge[0], edge[1]);
+            if (length < wanted.below || length > wanted.above) {
+                edges.push_back({length, edge});
             }
         }
     }
     std::sort(edges.begin(), edges.end(), [](const LongEdge& a, const LongEdge& b) {
         return a.length != b.length ? a.length < b.length : a.nodes < b.nodes;
     });
+    const auto is_same = [](const LongEdge& a, const LongEdge& b) { return a.nodes == b.nodes; };
+    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
     return edges;
 }
 
-template std::vector<LongEdge> edges_by_length(const UnitMesh<2>&, int,
-                                               const std::function<bool(double)>&);
-template std::vector<LongEdge> edges_by_length(const UnitMesh<3>&, int,
-                                               const std::function<bool(double)>&);
+template std::vector<LongEdge> edges_by_length(const UnitMesh<2>&, int, const LengthsWanted&);
+template std::vector<LongEdge> edges_by_length(const UnitMesh<3>&, int, const LengthsWanted&);
 
 } // namespace ameco

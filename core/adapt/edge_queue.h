@@ -5,7 +5,7 @@
 
 #include "core/adapt/unit_mesh.h"
 
-#include <functional>
+#include <limits>
 #include <vector>
 
 namespace ameco {
@@ -15,10 +15,18 @@ struct LongEdge {
     Edge nodes;    ///< ascending
 };
 
+/// Lengths of edges that are looked for: those outside a band [-].
+struct LengthsWanted {
+    double below = 0;
+    double above = std::numeric_limits<double>::infinity();
+};
+
+inline constexpr LengthsWanted all_lengths{.below = std::numeric_limits<double>::infinity()};
+
 /// All edges whose length is wanted, each once, the shortest first; equal ones by their nodes.
 /// \param since  only edges with an end that has changed since that time of the mesh's clock
 template <int D>
 [[nodiscard]] std::vector<LongEdge> edges_by_length(const UnitMesh<D>& mesh, int since,
-                                                    const std::function<bool(double)>& wanted);
+                                                    const LengthsWanted& wanted);
 
 } // namespace ameco

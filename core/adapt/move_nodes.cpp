@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -45,17 +46,27 @@ public:
             return Verdict::geometry_class;
         }
         before_ = measure_ball(v);
+        if (options_.by_excess) {
+            mesh_.edit.neighbours(v, neighbours_);
+            excess_before_ = mesh_.excess(v, neighbours_);
+            if (excess_before_ > 0 && search(v, into_band(v), Aim::lengths)) {
+                return Verdict::accepted;
+            }
+        }
         if (before_.worst >= options_.below) {
             return Verdict::no_improvement;
         }
-        if (room_ == Room::domain && search(v, towards_regular(v))) {
+        if (room_ == Room::domain && search(v, towards_regular(v), Aim::quality)) {
             return Verdict::accepted;
         }
-        return search(v, towards_unit(v)) ? Verdict::accepted : Verdict::no_improvement;
+        return search(v, towards_unit(v), Aim::quality) ? Verdict::accepted
+                                                        : Verdict::no_improvement;
     }
 
 private:
-    bool search(NodeId v, const Vec<D>& step) {
+    enum class Aim { quality, lengths };
+
+    bool search(NodeId v, const Vec<D>& step, Aim aim) {
         const auto old = mesh_.state(v);
         double share = 1;
         for (int k = 0; k <= options_.halvings; ++k, share /= 2) {
@@ -71,7 +82,7 @@ private:
                 continue;
             }
             mesh_.move_node(v, p);
-            if (is_better(v) && keeps_surface(v)) {
+            if (is_better(v, aim) && keeps_surface(v)) {
                 store(v);
                 return true;
             }
@@ -307,7 +318,23 @@ private:
         return sum / static_cast<double>(guides_.size());
     }
 
-    bool is_better(NodeId v) {
+    /// Sum of the steps that bring each edge out of the band a little into it.
+    [[nodiscard]] Vec<D> into_band(NodeId v) const {
+        constexpr double inside = 1.03;
+        Vec<D> sum = Vec<D>::Zero();
+        for (const NodeId w : neighbours_) {
+            const double l = mesh_.length(v, w);
+            const Vec<D> e = mesh_.edit.point(v) - mesh_.edit.point(w);
+            sum += e * (std::clamp(l, shortest_in_band * inside, longest_in_band / inside) / l - 1);
+        }
+        return sum;
+    }
+
+    bool is_better(NodeId v, Aim aim) {
+        const double least =
+            aim == Aim::lengths ? std::min(options_.excess_quality, before_.worst) : 0;
+        const double most = aim == Aim::lengths ? std::numeric_limits<double>::infinity()
+                                                : before_.inverse_sum / options_.gain;
         Measure after;
         qualities_.clear();
         for (const ElementId e : mesh_.edit.ball(v)) {
@@ -317,11 +344,16 @@ private:
             const double q = mesh_.quality(mesh_.edit.nodes(e));
             qualities_.push_back(q);
             add(after, q);
-            if (q <= 0 || after.inverse_sum * options_.gain > before_.inverse_sum) {
+            if (q <= least || after.inverse_sum > most) {
                 return false;
             }
         }
-        if (after.worst < before_.worst && after.worst < 0.3) {
+        if (aim == Aim::quality && after.worst < before_.worst && after.worst < 0.3) {
+            return false;
+        }
+        if (options_.by_excess &&
+            mesh_.excess(v, neighbours_) >
+                excess_before_ - (aim == Aim::lengths ? least_excess_fall : 0)) {
             return false;
         }
         return std::all_of(mesh_.edit.ball(v).begin(), mesh_.edit.ball(v).end(), [&](ElementId e) {
@@ -336,13 +368,7 @@ private:
                 mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
             }
         }
-        for (const ElementId e : mesh_.edit.ball(v)) {
-            for (const NodeId w : mesh_.edit.nodes(e)) {
-                if (w != mesh_.edit.ghost()) {
-                    mesh_.touch(w);
-                }
-            }
-        }
+        mesh_.touch_ball(v);
     }
 
     UnitMesh<D>& mesh_;
@@ -353,6 +379,7 @@ private:
     Vec<D> normal_;           ///< mean one of these; on a curve its tangent
     std::vector<int> labels_; ///< of these, ascending
     std::vector<double> qualities_;
+    double excess_before_ = 0; ///< of the edges to neighbours_
     Measure before_;
 };
 
@@ -373,9 +400,13 @@ std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since
         if (stop.asked()) {
             break;
         }
-        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since)) {
+        if (!mesh.edit.is_removed(v) && !mesh.is_held(v) && mesh.changed_since(v, since) &&
+            mesh.changed_since(v, mesh.move_tried(v))) {
             const Verdict verdict = mover.move(v);
             verdicts.add(verdict);
+            if (verdict != Verdict::accepted) {
+                mesh.note_move_tried(v);
+            }
             made += verdict == Verdict::accepted ? 1 : 0;
         }
     }

@@ -10,10 +10,13 @@
 namespace ameco {
 
 struct MoveOptions {
-    double below = 0.9;      ///< nodes with an element of a quality below this are tried [-]
-    double gain = 1.002;     ///< the harmonic mean of the qualities must grow by this factor [-]
-    int halvings = 3;        ///< of a step that is refused
-    double farthest = 1e300; ///< from a node's first place in the UnitMesh, in the metric [-]
+    double below = 0.9;     ///< nodes with an element of a quality below this are tried [-]
+    double gain = 1.002;    ///< the harmonic mean of the qualities must grow by this factor [-]
+    int halvings = 3;       ///< of a step that is refused
+    bool by_excess = false; ///< first to where the sum of the excesses of lengths falls, and never
+                            ///< to where it rises; the worst quality may fall by that ...
+    double excess_quality = 0.4; ///< ... to this [-]
+    double farthest = 1e300;     ///< from a node's first place in the UnitMesh, in the metric [-]
     std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
                                              ///< between two, which move on the original
                                              ///< surface; none: they stay
@@ -30,6 +33,7 @@ Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options);
 /// those between patches must be straight.
 /// \param since  only nodes that have changed since are looked at
 /// \return  number of moves made
+/// \see length_excess.h
 template <int D>
 std::int64_t move_nodes(UnitMesh<D>& mesh, const MoveOptions& options, int since,
                         VerdictCounts& verdicts, const Monitor& monitor = Monitor::silent());

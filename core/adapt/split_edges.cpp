@@ -48,7 +48,7 @@ private:
         // What is asked falls to nothing where the edge is much too long.
         const double strict =
             std::max(0.0, (options_.much_above - length) / (options_.much_above - options_.above));
-        if (is_crowded(a, b, m, strict)) {
+        if (options_.by_excess ? !lowers_excess(a, b, m) : is_crowded(a, b, m, strict)) {
             return Verdict::short_edge;
         }
         const Verdict verdict = make_star(mesh_.edit, cavity_, m, star_);
@@ -96,6 +96,21 @@ private:
         return false;
     }
 
+    /// Whether the edges to the new node have a smaller sum of excesses than the one that goes.
+    [[nodiscard]] bool lowers_excess(NodeId a, NodeId b, NodeId m) {
+        const double most = mesh_.excess(a, b) - least_excess_fall;
+        near_.clear();
+        for (const ElementId e : cavity_.elements) {
+            for (const NodeId v : mesh_.edit.nodes(e)) {
+                if (v != mesh_.edit.ghost() &&
+                    std::find(near_.begin(), near_.end(), v) == near_.end()) {
+                    near_.push_back(v);
+                }
+            }
+        }
+        return mesh_.excess(m, near_) <= most;
+    }
+
     UnitMesh<D>& mesh_;
     const SplitOptions& options_;
     std::vector<NodeId> near_, neighbours_;
@@ -119,8 +134,7 @@ NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& s
 template <int D>
 std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
                               VerdictCounts& verdicts, const Monitor& monitor) {
-    std::vector<LongEdge> queue =
-        edges_by_length(mesh, since, [&](double length) { return length > options.above; });
+    std::vector<LongEdge> queue = edges_by_length(mesh, since, {.above = options.above});
     std::reverse(queue.begin(), queue.end());
     Splitter<D> splitter(mesh, options);
     std::int64_t made = 0;

@@ -12,7 +12,8 @@ struct SplitOptions {
     double shortest = 0.70;  ///< no new edge beside the halves may be shorter than this [-] ...
     double much_above = 2.5; ///< ... and where the edge is longer than this,
     double shortest_among_long = 0.8; ///< than this [-]
-    double quality_share = 0.5;       ///< the worst quality may fall to this share of what it was
+    bool by_excess = false;     ///< instead of these: the sum of the excesses of lengths must fall
+    double quality_share = 0.5; ///< the worst quality may fall to this share of what it was
 };
 
 /// Adds the node that halves an edge in the metric. No element has it yet.
@@ -24,6 +25,7 @@ NodeId add_middle_node(UnitMesh<D>& mesh, NodeId a, NodeId b, const Cavity<D>& s
 /// made on the way are left to the next call.
 /// \param since  only edges with an end that has changed since are looked at
 /// \return  number of splits made
+/// \see length_excess.h
 template <int D>
 std::int64_t split_long_edges(UnitMesh<D>& mesh, const SplitOptions& options, int since,
                               VerdictCounts& verdicts, const Monitor& monitor = Monitor::silent());

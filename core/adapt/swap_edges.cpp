@@ -49,13 +49,22 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
             const Simplex<D>& s = mesh.edit.nodes(e);
             const auto is_held = [&](NodeId v) { return mesh.is_held(v); };
             const auto changed = [&](NodeId v) { return mesh.changed_since(v, since); };
-            if (std::any_of(s.begin(), s.end(), changed) &&
-                !std::all_of(s.begin(), s.end(), is_held)) {
-                const double quality = rules.quality(e);
-                around.find(mesh.edit, e, [&](ElementId f) {
-                    return !mesh.edit.is_ghost(f) && rules.quality(f) < quality;
-                });
-                made += search.mend(e, around) ? 1 : 0;
+            if (!std::any_of(s.begin(), s.end(), changed) ||
+                std::all_of(s.begin(), s.end(), is_held)) {
+                continue;
+            }
+            const unsigned corners = mesh.corners_changed_since_swap(e);
+            if (!ChangeTimes::has_edge(corners)) {
+                continue;
+            }
+            const double quality = rules.quality(e);
+            around.find(mesh.edit, e, corners, [&](ElementId f) {
+                return !mesh.edit.is_ghost(f) && rules.quality(f) < quality;
+            });
+            if (search.mend(e, around)) {
+                ++made;
+            } else {
+                mesh.note_swap_tried(e);
             }
         }
         if (made == before) {

@@ -14,7 +14,7 @@ UnitMesh<D>::UnitMesh(const Mesh<D>& mesh, const GeometryClasses<D>& classes,
     : edit(mesh, classes), source_(source), quality_(quality_function),
       factor_(mesh.points.size(), Mat<D>::Zero()), root_(mesh.points.size()),
       short_size_(mesh.points.size(), 0), near_(std::move(near)), changes_(mesh.points.size()),
-      held_(mesh.points.size(), 0), first_place_(mesh.points) {
+      move_tried_(mesh.points.size(), 0), held_(mesh.points.size(), 0), first_place_(mesh.points) {
     parallel_for(mesh.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const NodeId v(i);
@@ -47,6 +47,7 @@ NodeId UnitMesh<D>::add_node(const Vec<D>& p, NodeId beside, NodeClass node_clas
     short_size_.push_back(0);
     near_.push_back(near_[beside]);
     changes_.add_node();
+    move_tried_.push_back(0);
     held_.push_back(0);
     first_place_.push_back(p);
     set_metric(v, source_.at(p, near_[v]));
@@ -62,6 +63,7 @@ void UnitMesh<D>::drop_last_node() {
     short_size_.resize(n);
     near_.resize(n);
     changes_.drop_last_node();
+    move_tried_.resize(n);
     held_.resize(n);
     first_place_.resize(n, Vec<D>::Zero());
 }
@@ -108,6 +110,27 @@ void UnitMesh<D>::replace(const Cavity<D>& cavity, const Star<D>& star) {
             }
         }
     }
+    tick();
+}
+
+template <int D>
+void UnitMesh<D>::touch_ball(NodeId v) {
+    for (const ElementId e : edit.ball(v)) {
+        for (const NodeId w : edit.nodes(e)) {
+            if (w != edit.ghost()) {
+                touch(w);
+            }
+        }
+    }
+    tick();
+}
+
+template <int D>
+void UnitMesh<D>::note_swap_tried(ElementId e) {
+    if (swap_tried_.size() <= e.index()) {
+        swap_tried_.resize(edit.slot_count(), 0);
+    }
+    swap_tried_[e.index()] = changes_.now();
 }
 
 template class UnitMesh<2>;

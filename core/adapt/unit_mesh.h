@@ -3,6 +3,7 @@
 /// A mesh on its way to be unit in a metric: what all operators of the adaptation look at.
 #pragma once
 
+#include "core/adapt/length_excess.h"
 #include "core/adapt/metric_source.h"
 #include "core/base/stop_check.h"
 #include "core/metric/edge_length.h"
@@ -33,6 +34,30 @@ public:
     [[nodiscard]] double length(NodeId a, const Vec<D>& p, NodeId b) const {
         const Vec<D> e = edit.point(b) - p;
         return edge_length((factor_[a] * e).norm(), (factor_[b] * e).norm());
+    }
+    /// Whether the length of an edge is surely from `low` to `high`, told without a logarithm: seen
+    /// from both ends it is, and the length is a mean of the two.
+    [[nodiscard]] bool is_surely_between(NodeId a, NodeId b, double low, double high) const {
+        const Vec<D> e = edit.point(b) - edit.point(a);
+        const auto is_between = [&](double square) {
+            return square >= low * low && square <= high * high;
+        };
+        return is_between((factor_[a] * e).squaredNorm()) &&
+               is_between((factor_[b] * e).squaredNorm());
+    }
+    /// \see length_excess
+    [[nodiscard]] double excess(NodeId a, NodeId b) const {
+        return is_surely_between(a, b, shortest_in_band, longest_in_band)
+                   ? 0
+                   : length_excess(length(a, b));
+    }
+    /// Sum over the edges from a node to some others.
+    [[nodiscard]] double excess(NodeId v, std::span<const NodeId> others) const {
+        double sum = 0;
+        for (const NodeId w : others) {
+            sum += excess(v, w);
+        }
+        return sum;
     }
     /// Length of a vector in the metric of one node [-].
     [[nodiscard]] double length_at(NodeId v, const Vec<D>& e) const {
@@ -92,7 +117,22 @@ public:
     /// Starts a new time, and returns it.
     ChangeTimes::Time tick() { return changes_.tick(); }
 
-    /// Replaces a cavity, and touches the nodes of the star.
+    /// Says that the ball of a node has changed, in a time of its own.
+    void touch_ball(NodeId v);
+    /// Notes on what was tried in vain. They spare work that would end as it did before.
+    [[nodiscard]] ChangeTimes::Time now() const { return changes_.now(); }
+    /// The corners of an element at which something has changed since no swap was found there, as
+    /// bits; all where none was tried yet.
+    [[nodiscard]] unsigned corners_changed_since_swap(ElementId e) const {
+        const ChangeTimes::Time tried = e.index() < swap_tried_.size() ? swap_tried_[e.index()] : 0;
+        return changes_.changed_corners(edit.nodes(e), tried);
+    }
+    void note_swap_tried(ElementId e);
+    /// When a node was last found to have no better place; 0: never.
+    [[nodiscard]] ChangeTimes::Time move_tried(NodeId v) const { return move_tried_[v]; }
+    void note_move_tried(NodeId v) { move_tried_[v] = changes_.now(); }
+
+    /// Replaces a cavity, and touches the nodes of the star, in a time of its own.
     void replace(const Cavity<D>& cavity, const Star<D>& star);
 
 private:
@@ -105,6 +145,8 @@ private:
     IdVector<NodeId, double> short_size_;
     IdVector<NodeId, NodeId> near_; ///< a node of the background mesh near each node
     ChangeTimes changes_;
+    std::vector<ChangeTimes::Time> swap_tried_; ///< by element slot
+    IdVector<NodeId, ChangeTimes::Time> move_tried_;
     IdVector<NodeId, std::uint8_t> held_;
     IdVector<NodeId, Vec<D>> first_place_;
 };

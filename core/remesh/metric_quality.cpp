@@ -25,6 +25,65 @@ double modified_quality(const ElementMeasures<D>& m) {
     return shape_quality(m) * sizes * std::max(0.0, volume);
 }
 
+/// Squares of all edges of a simplex that has the edges a, b (, c) at a corner, each times a
+/// symmetric matrix, added up: D + 1 times those at the corner less the square of their sum. In
+/// plain numbers: vectors would go through memory.
+double sum_of_squares(const Tensor<2>& m, const std::array<Vec<2>, 3>& x) {
+    double squares = 0, sum_x = 0, sum_y = 0;
+    for (std::size_t i = 1; i <= 2; ++i) {
+        const double ex = x[i][0] - x[0][0], ey = x[i][1] - x[0][1];
+        const double px = m[0] * ex + m[1] * ey;
+        const double py = m[1] * ex + m[2] * ey;
+        squares += px * px + py * py;
+        sum_x += px;
+        sum_y += py;
+    }
+    return 3 * squares - (sum_x * sum_x + sum_y * sum_y);
+}
+
+double sum_of_squares(const Tensor<3>& m, const std::array<Vec<3>, 4>& x) {
+    double squares = 0, sum_x = 0, sum_y = 0, sum_z = 0;
+    for (std::size_t i = 1; i <= 3; ++i) {
+        const double ex = x[i][0] - x[0][0], ey = x[i][1] - x[0][1], ez = x[i][2] - x[0][2];
+        const double px = m[0] * ex + m[1] * ey + m[2] * ez;
+        const double py = m[1] * ex + m[3] * ey + m[4] * ez;
+        const double pz = m[2] * ex + m[4] * ey + m[5] * ez;
+        squares += px * px + py * py + pz * pz;
+        sum_x += px;
+        sum_y += py;
+        sum_z += pz;
+    }
+    return 4 * squares - (sum_x * sum_x + sum_y * sum_y + sum_z * sum_z);
+}
+
+/// Q_F of (17) in a metric S^-2, from the corners and D! times the volume. The shape has no size:
+/// any multiple of S will do, and of the factors 1 / det S in lengths and volume, D - 1 are left.
+template <int D>
+double shape_quality_in(const Tensor<D>& root, const std::array<Vec<D>, D + 1>& x,
+                        double determinant) {
+    const SymmetricInverse<D> inverse = invert(root);
+    const double det = inverse.det;
+    const double squares = sum_of_squares(inverse.adj, x);
+    constexpr double n = SimplexNumbering<D>::edge_count; // h_M^2 = squares / n
+    if constexpr (D == 2) {
+        return n / regular_determinant<D>() * (determinant * det) / squares;
+    } else {
+        const double factor = n * std::sqrt(n) / regular_determinant<D>();
+        return factor * (determinant * det * det) / (squares * std::sqrt(squares));
+    }
+}
+
+template <int D>
+Tensor<D> sum_of_roots(const RootField<D>& root, const Simplex<D>& s) {
+    Tensor<D> sum = root[s[0]];
+    for (int i = 1; i <= D; ++i) {
+        for (int k = 0; k < tensor_size<D>; ++k) {
+            sum[k] += root[s[i]][k];
+        }
+    }
+    return sum;
+}
+
 } // namespace
 
 std::string_view name(Quality quality) {
@@ -66,19 +125,15 @@ template <int D>
 double metric_quality(const EditMesh<D>& mesh, const RootField<D>& root, const Simplex<D>& element,
                       Quality quality) {
     const auto x = corners_of(mesh, element);
-    if (edge_determinant(x) <= 0) {
+    const double determinant = edge_determinant(x);
+    if (determinant <= 0) {
         return 0;
     }
-    const ElementMeasures<D> m = element_measures<D>(x, invert(mean_root<D>(root, element)));
-    switch (quality) {
-    case Quality::shape:
-        return shape_quality(m);
-    case Quality::original:
-        return original_quality<D>(m.volume, m.h2);
-    case Quality::modified:
-        break;
+    if (quality == Quality::shape) {
+        return shape_quality_in<D>(sum_of_roots<D>(root, element), x, determinant);
     }
-    return modified_quality(m);
+    const ElementMeasures<D> m = element_measures<D>(x, invert(mean_root<D>(root, element)));
+    return quality == Quality::original ? original_quality<D>(m.volume, m.h2) : modified_quality(m);
 }
 
 template <int D>

@@ -53,7 +53,9 @@ public:
         }
         if constexpr (D == 3) {
             for (int i = 0; i <= D; ++i) {
-                try_face(i, around.behind(i));
+                if (around.has_facet(i)) {
+                    try_face(i, around.behind(i));
+                }
             }
         }
         verdicts_.add(best_quality_ > 0 ? Verdict::accepted : best_verdict_);
@@ -68,7 +70,7 @@ private:
     /// The edge between two corners of the element.
     void try_edge(int i, int j, const EdgeNeighbours<D>& around) {
         if (!around.is_open(i, j)) {
-            return; // this shell is the matter of a worse element
+            return; // nothing new, or the matter of a worse element
         }
         gather_elements(i, j, around);
         if (shell_.size() > options_.largest_shell) {

@@ -3,6 +3,7 @@
 /// Meshes on their way to be unit in a metric, for the tests of the operators.
 #pragma once
 
+#include "core/adapt/edge_queue.h"
 #include "core/adapt/unit_mesh.h"
 #include "core/cases/cube.h"
 #include "tests/core/remesh/remesh_support.h"
@@ -99,6 +100,28 @@ struct Bench {
         std::sort(set.begin(), set.end());
         return set;
     }
+};
+
+/// Sum over all edges; \see length_excess.
+template <int D>
+[[nodiscard]] double total_excess(const UnitMesh<D>& mesh) {
+    double sum = 0;
+    for (const LongEdge& edge : edges_by_length(mesh, 0, all_lengths)) {
+        sum += length_excess(edge.length);
+    }
+    return sum;
+}
+
+/// A mesh as it stands, with nothing known of what was tried on it.
+template <int D>
+struct Fresh {
+    typename EditMesh<D>::Compact now;
+    UnitMesh<D> unit;
+
+    Fresh(const UnitMesh<D>& mesh, const MetricSource<D>& source, Quality quality = Quality::shape)
+        : now(mesh.edit.compact()),
+          unit(now.mesh, now.classes, source,
+               IdVector<NodeId, NodeId>(now.mesh.points.size(), NodeId(0)), quality) {}
 };
 
 /// Whether all nodes of a mesh are at places of nodes of another.

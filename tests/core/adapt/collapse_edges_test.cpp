@@ -37,9 +37,23 @@ private slots:
         Bench<3> bench(5, UniformMetric<3>(0.4), 3);
         VerdictCounts verdicts;
         (void)collapse_short_edges(bench.unit, {.longest = 1.3}, plane_sides, 0, verdicts);
-        const auto edges = edges_by_length(bench.unit, 0, [](double) { return true; });
+        const auto edges = edges_by_length(bench.unit, 0, all_lengths);
         QVERIFY(edges.back().length <= 1.3);
         QVERIFY(verdicts[Verdict::long_edge] > 0);
+    }
+
+    void by_excess_the_sum_over_the_mesh_falls_with_each() {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Bench<3> bench(5, LayerMetric<3>(0.2, 0.3, 0.4), seed);
+            VerdictCounts verdicts;
+            const double before = total_excess(bench.unit);
+            const std::int64_t made =
+                collapse_short_edges(bench.unit, {.by_excess = true}, plane_sides, 0, verdicts);
+            QVERIFY(made > 0);
+            QVERIFY(total_excess(bench.unit) <=
+                    before - 0.99 * least_excess_fall * static_cast<double>(made));
+            QVERIFY2(bench.complaint().empty(), bench.complaint().c_str());
+        }
     }
 
     void good_elements_are_not_made_bad() {

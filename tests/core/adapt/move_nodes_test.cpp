@@ -99,6 +99,47 @@ private slots:
         improves<3>(4);
     }
 
+    void by_excess_no_move_raises_the_sum_nor_spoils_an_element() {
+        for (int seed = 1; seed <= 5; ++seed) {
+            Bench<3> bench(4, LayerMetric<3>(0.15, 0.3, 0.3), seed);
+            const MoveOptions options{.below = 1, .by_excess = true, .excess_quality = 0.4};
+            const double first = total_excess(bench.unit);
+            double before = first;
+            int made = 0;
+            for (const NodeId v : bench.mesh.points.ids()) {
+                const double worst = bench.worst();
+                made += move_node(bench.unit, v, options) == Verdict::accepted ? 1 : 0;
+                const double now = total_excess(bench.unit);
+                QVERIFY(now <= before + 1e-9 * (1 + before));
+                QVERIFY(bench.worst() >= std::min(worst, 0.3));
+                before = now;
+            }
+            QVERIFY(made > 0);
+            QVERIFY(before < 0.9 * first);
+            QVERIFY2(bench.complaint().empty(), bench.complaint().c_str());
+        }
+    }
+
+    void nodes_that_are_not_tried_again_have_no_better_place() {
+        for (int seed = 1; seed <= 5; ++seed) {
+            for (const bool by_excess : {false, true}) {
+                Bench<3> bench(4, LayerMetric<3>(0.1, 0.3, 0.3), seed);
+                const MoveOptions options{.gain = 1.02, .by_excess = by_excess};
+                VerdictCounts verdicts;
+                std::int64_t tried = 0;
+                do {
+                    tried = verdicts[Verdict::no_improvement];
+                } while (move_nodes(bench.unit, options, 0, verdicts) > 0);
+                QVERIFY(verdicts[Verdict::no_improvement] - tried <
+                        static_cast<std::int64_t>(bench.nodes()));
+                Fresh<3> fresh(bench.unit, *bench.source);
+                verdicts = {};
+                QCOMPARE(move_nodes(fresh.unit, options, 0, verdicts), std::int64_t{0});
+                QVERIFY(verdicts[Verdict::no_improvement] > 0);
+            }
+        }
+    }
+
     void planes_and_lines_are_kept_to_the_bit() {
         Bench<3> bench(4, UniformMetric<3>(0.25), 7);
         VerdictCounts verdicts;

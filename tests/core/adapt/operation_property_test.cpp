@@ -125,7 +125,7 @@ private:
 
     bool collapse_shortest(NodeId v) {
         const int since = look_at(v);
-        const auto edges = edges_by_length<D>(unit_, since, [](double) { return true; });
+        const auto edges = edges_by_length<D>(unit_, since, all_lengths);
         const CollapseOptions options{.below = std::nextafter(edges.front().length, INFINITY),
                                       .longest = 1e9,
                                       .quality_share = 0.2,
@@ -135,7 +135,7 @@ private:
 
     bool split_longest(NodeId v) {
         const int since = look_at(v);
-        const auto edges = edges_by_length<D>(unit_, since, [](double) { return true; });
+        const auto edges = edges_by_length<D>(unit_, since, all_lengths);
         const double above = std::nextafter(edges.back().length, 0.0);
         const SplitOptions options{.above = above,
                                    .shortest = 0.05,

@@ -13,7 +13,7 @@ namespace {
 
 template <int D>
 double longest_edge(const UnitMesh<D>& mesh) {
-    const auto edges = edges_by_length(mesh, 0, [](double) { return true; });
+    const auto edges = edges_by_length(mesh, 0, all_lengths);
     return edges.back().length;
 }
 
@@ -65,9 +65,23 @@ private slots:
         Bench<2> bench(8, UniformMetric<2>(1.0 / 8 / 1.2), 1);
         VerdictCounts verdicts;
         (void)split_long_edges(bench.unit, {.shortest = 0.95}, 0, verdicts);
-        const auto edges = edges_by_length(bench.unit, 0, [](double) { return true; });
+        const auto edges = edges_by_length(bench.unit, 0, all_lengths);
         QVERIFY(verdicts[Verdict::short_edge] > 0);
         QVERIFY(edges.front().length > 0.5);
+    }
+
+    void by_excess_the_sum_over_the_mesh_falls_with_each() {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Bench<3> bench(3, LayerMetric<3>(0.1, 0.2, 0.3), seed);
+            VerdictCounts verdicts;
+            const double before = total_excess(bench.unit);
+            const std::int64_t made =
+                split_long_edges(bench.unit, {.by_excess = true}, 0, verdicts);
+            QVERIFY(made > 0);
+            QVERIFY(total_excess(bench.unit) <=
+                    before - 0.99 * least_excess_fall * static_cast<double>(made));
+            QVERIFY2(bench.complaint().empty(), bench.complaint().c_str());
+        }
     }
 
     void a_ridge_stays_a_ridge() {
