@@ -22,20 +22,6 @@ private:
     UnitMesh<D>& mesh_;
 };
 
-/// The corners at which something has changed since no swap was found at an element, as bits.
-///
-/// What a swap of an edge or a face looks at are elements that contain it: where one of them has
-/// changed, so have all ends.
-template <int D>
-unsigned changed_corners(const UnitMesh<D>& mesh, ElementId e) {
-    unsigned corners = 0;
-    const Simplex<D>& s = mesh.edit.nodes(e);
-    for (unsigned i = 0; i <= D; ++i) {
-        corners |= mesh.changed_since(s[i], mesh.swap_tried(e)) ? 1U << i : 0;
-    }
-    return corners;
-}
-
 } // namespace
 
 template <int D>
@@ -67,16 +53,15 @@ std::int64_t swap_to_quality(UnitMesh<D>& mesh, const SwapOptions& options,
                 std::all_of(s.begin(), s.end(), is_held)) {
                 continue;
             }
-            const unsigned corners = changed_corners(mesh, e);
-            if ((corners & (corners - 1)) == 0) {
+            const unsigned corners = mesh.corners_changed_since_swap(e);
+            if (!ChangeTimes::has_edge(corners)) {
                 continue;
             }
             const double quality = rules.quality(e);
-            const auto is_worse = [&](ElementId f) {
+            around.find(mesh.edit, e, corners, [&](ElementId f) {
                 return !mesh.edit.is_ghost(f) && rules.quality(f) < quality;
-            };
-            around.find(mesh.edit, e, is_worse, corners);
-            if (search.mend(e, around, corners)) {
+            });
+            if (search.mend(e, around)) {
                 ++made;
             } else {
                 mesh.note_swap_tried(e);

@@ -121,9 +121,11 @@ public:
     void touch_ball(NodeId v);
     /// Notes on what was tried in vain. They spare work that would end as it did before.
     [[nodiscard]] ChangeTimes::Time now() const { return changes_.now(); }
-    /// When no swap was found at an element; 0: never, or the element is new since.
-    [[nodiscard]] ChangeTimes::Time swap_tried(ElementId e) const {
-        return e.index() < swap_tried_.size() ? swap_tried_[e.index()] : 0;
+    /// The corners of an element at which something has changed since no swap was found there, as
+    /// bits; all where none was tried yet.
+    [[nodiscard]] unsigned corners_changed_since_swap(ElementId e) const {
+        const ChangeTimes::Time tried = e.index() < swap_tried_.size() ? swap_tried_[e.index()] : 0;
+        return changes_.changed_corners(edit.nodes(e), tried);
     }
     void note_swap_tried(ElementId e);
     /// When a node was last found to have no better place; 0: never.

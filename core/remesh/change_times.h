@@ -38,12 +38,17 @@ public:
     /// Says that the elements at a node change now.
     void touch(NodeId v, std::size_t lane = 0) { changed_[v] = clocks_[lane].now; }
     [[nodiscard]] bool changed_since(NodeId v, Time time) const { return changed_[v] >= time; }
-    /// Whether an element may have changed, or one that shares an edge with it: two of the nodes
-    /// have.
-    [[nodiscard]] bool edge_changed_since(std::span<const NodeId> element, Time time) const {
-        return std::count_if(element.begin(), element.end(),
-                             [&](NodeId v) { return changed_since(v, time); }) >= 2;
+    /// The corners of an element that have changed, as bits. What shares an edge or a face with the
+    /// element may have changed only if all ends of that have.
+    [[nodiscard]] unsigned changed_corners(std::span<const NodeId> element, Time time) const {
+        unsigned corners = 0;
+        for (std::size_t i = 0; i < element.size(); ++i) {
+            corners |= changed_since(element[i], time) ? 1U << i : 0U;
+        }
+        return corners;
     }
+    /// Whether an edge may have, with the elements at it.
+    [[nodiscard]] static bool has_edge(unsigned corners) { return (corners & (corners - 1)) != 0; }
 
     /// A node more, that changes now, or the last one fewer.
     void add_node() { changed_.push_back(now()); }

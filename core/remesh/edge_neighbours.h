@@ -26,13 +26,14 @@ public:
         std::uint8_t shared = 0; ///< bit i: it has corner i
     };
 
+    /// \param corners   as bits, two at least: edges and faces with other corners are left out
     /// \param is_worse  whether an element closes its edges; asked of all elements at open edges
     ///                  and behind faces
-    /// \param corners   bit i: corner i may be an end of an open edge
     template <class Worse>
-    void find(const EditMesh<D>& mesh, ElementId e, const Worse& is_worse, unsigned corners = all) {
+    void find(const EditMesh<D>& mesh, ElementId e, unsigned corners, const Worse& is_worse) {
         const Simplex<D>& s = mesh.nodes(e);
-        sort_corners(mesh, s);
+        corners_ = corners;
+        const int wanted = sort_corners(mesh, s);
         if (corner_.size() < mesh.node_count()) {
             corner_.resize(mesh.node_count(), 0);
         }
@@ -40,8 +41,8 @@ public:
             corner_[s[i]] = static_cast<std::uint8_t>(1U << i);
             at_[i].clear();
         }
-        closed_ = edges_between[all] & ~edges_between[corners & all];
-        for (int k = 0; k < D; ++k) {
+        closed_ = all_edges & ~edges_between[corners & all_corners];
+        for (int k = 0; k + 1 < wanted; ++k) {
             // Behind two corners there is only the edge between the two last ones.
             if (k < 2 || is_open(order_[D - 1], order_[D])) {
                 walk_ball(mesh, s, order_[k], is_worse);
@@ -52,7 +53,7 @@ public:
         }
     }
 
-    /// Whether the edge between two corners may be open, and no element at it is worse.
+    /// Whether an edge between two corners is wanted, and no element at it is worse.
     [[nodiscard]] bool is_open(int i, int j) const {
         return (closed_ >> edge_number(i, j) & 1U) == 0;
     }
@@ -64,10 +65,16 @@ public:
     /// The end of an open edge whose ball was walked, the smaller one.
     [[nodiscard]] int quicker_end(int i, int j) const { return rank_[j] < rank_[i] ? j : i; }
 
-    /// The element behind the facet opposite corner i, none if that is at the end of the mesh.
+    /// Whether the facet opposite corner i is wanted.
+    [[nodiscard]] bool has_facet(int i) const {
+        return ((corners_ | 1U << i) & all_corners) == all_corners;
+    }
+
+    /// The element behind the facet opposite corner i, which is wanted; none at the end of the
+    /// mesh.
     [[nodiscard]] ElementId behind(int i) const {
         for (const Neighbour& n : at_[order_[0] == i ? order_[1] : order_[0]]) {
-            if (n.shared == (all ^ (1U << i))) {
+            if (n.shared == (all_corners ^ (1U << i))) {
                 return n.element;
             }
         }
@@ -75,12 +82,17 @@ public:
     }
 
 private:
-    static constexpr unsigned all = (1U << (D + 1)) - 1; ///< corners
-
-    /// By the size of their balls; of equal ones the first is first.
-    void sort_corners(const EditMesh<D>& mesh, const Simplex<D>& s) {
+    /// Those that are wanted by the size of their balls, of equal ones the first first; then the
+    /// others.
+    /// \return  how many are wanted
+    int sort_corners(const EditMesh<D>& mesh, const Simplex<D>& s) {
+        int wanted = 0, others = D;
         for (int i = 0; i <= D; ++i) {
-            int k = i;
+            if ((corners_ >> i & 1U) == 0) {
+                order_[others--] = i;
+                continue;
+            }
+            int k = wanted++;
             for (; k > 0 && mesh.ball(s[i]).size() < mesh.ball(s[order_[k - 1]]).size(); --k) {
                 order_[k] = order_[k - 1];
             }
@@ -89,6 +101,7 @@ private:
         for (int k = 0; k <= D; ++k) {
             rank_[order_[k]] = k;
         }
+        return wanted;
     }
 
     template <class Worse>
@@ -114,6 +127,9 @@ private:
         }
         return shared;
     }
+
+    static constexpr unsigned all_corners = (1U << (D + 1)) - 1;
+    static constexpr unsigned all_edges = (1U << SimplexNumbering<D>::edge_count) - 1;
 
     static constexpr int edge_number(int i, int j) {
         constexpr auto edges = SimplexNumbering<D>::edges;
@@ -142,6 +158,7 @@ private:
     IdVector<NodeId, std::uint8_t> corner_; ///< of the element being looked at, as bits; 0: none
     std::array<std::vector<Neighbour>, D + 1> at_;
     std::array<int, D + 1> order_{}, rank_{}; ///< of the corners, see `sort_corners`
+    unsigned corners_ = 0;                    ///< that are wanted, as bits
     unsigned closed_ = 0;                     ///< edges, as bits
 };
 

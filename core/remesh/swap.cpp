@@ -88,11 +88,15 @@ public:
 
     /// \return  false where the element is not within the patch
     bool operator()(ElementId e) {
-        if (mesh_.is_free(e) || mesh_.is_ghost(e) || rules_.quality(e) >= options_.below ||
-            !notes_.changes.edge_changed_since(mesh_.nodes(e), notes_.element_tried[e.index()])) {
+        if (mesh_.is_free(e) || mesh_.is_ghost(e) || rules_.quality(e) >= options_.below) {
             return true; // after changes beside it
         }
-        if (!look_around(e)) {
+        const unsigned corners =
+            notes_.changes.changed_corners(mesh_.nodes(e), notes_.element_tried[e.index()]);
+        if (!ChangeTimes::has_edge(corners)) {
+            return true;
+        }
+        if (!look_around(e, corners)) {
             return false;
         }
         if (!search_.mend(e, around_)) {
@@ -105,13 +109,13 @@ private:
     /// \return  whether all that the search looks at is within the patch, which is elements that
     ///          share an edge with this one, and there is room for what a swap adds: fewer elements
     ///          than its shell has
-    bool look_around(ElementId e) {
+    bool look_around(ElementId e, unsigned corners) {
         if (!patch_.is_whole() && mesh_.free_slots(patch_.lane()) < options_.largest_shell) {
             return false;
         }
         const double quality = rules_.quality(e);
         bool within = true;
-        around_.find(mesh_, e, [&](ElementId f) {
+        around_.find(mesh_, e, corners, [&](ElementId f) {
             within = within && (patch_.is_whole() || patch_.holds(mesh_, f));
             return within && !mesh_.is_ghost(f) && rules_.quality(f) < quality;
         });
@@ -169,8 +173,8 @@ std::vector<ElementId> elements_to_try(EditMesh<D>& mesh, const SwapInput<D>& in
             const ElementId e(i);
             if (input.partitions.empty() ||
                 (!mesh.is_free(e) && !mesh.is_ghost(e) && rules.quality(e) < options.below &&
-                 input.notes.changes.edge_changed_since(mesh.nodes(e),
-                                                        input.notes.element_tried[i]))) {
+                 ChangeTimes::has_edge(input.notes.changes.changed_corners(
+                     mesh.nodes(e), input.notes.element_tried[i])))) {
                 pieces[begin / slots_per_piece].push_back(e);
             }
         }

@@ -43,9 +43,8 @@ public:
         : mesh_(mesh), rules_(rules), options_(options), surface_(surface), verdicts_(verdicts) {}
 
     /// Tries the swaps at one element; true if one was made.
-    /// \param around   of the element; edges are closed by elements of less quality
-    /// \param corners  with which `around` was found; faces with others are not tried
-    bool mend(ElementId e, const EdgeNeighbours<D>& around, unsigned corners = ~0U) {
+    /// \param around  of the element; edges are closed by elements of less quality
+    bool mend(ElementId e, const EdgeNeighbours<D>& around) {
         element_ = e;
         best_quality_ = 0;
         best_verdict_ = Verdict::no_improvement;
@@ -54,8 +53,7 @@ public:
         }
         if constexpr (D == 3) {
             for (int i = 0; i <= D; ++i) {
-                constexpr unsigned all = (1U << (D + 1)) - 1;
-                if (((corners | 1U << i) & all) == all) {
+                if (around.has_facet(i)) {
                     try_face(i, around.behind(i));
                 }
             }
@@ -72,7 +70,7 @@ private:
     /// The edge between two corners of the element.
     void try_edge(int i, int j, const EdgeNeighbours<D>& around) {
         if (!around.is_open(i, j)) {
-            return; // this shell is the matter of a worse element
+            return; // nothing new, or the matter of a worse element
         }
         gather_elements(i, j, around);
         if (shell_.size() > options_.largest_shell) {

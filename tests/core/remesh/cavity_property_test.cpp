@@ -133,7 +133,7 @@ bool swap_any(Workbench<D>& bench, std::mt19937& random) {
     SwapSearch<D, RandomRules<D>> search(bench.edit, rules, options, surface, verdicts);
     const ElementId e = any_element(bench.edit, random);
     EdgeNeighbours<D> around;
-    around.find(bench.edit, e, [&](ElementId f) {
+    around.find(bench.edit, e, ~0U, [&](ElementId f) {
         return !bench.edit.is_ghost(f) && rules.quality(f) < rules.quality(e);
     });
     return search.mend(e, around);

@@ -28,12 +28,15 @@ private slots:
         ChangeTimes times(4);
         const std::array element{NodeId(0), NodeId(1), NodeId(2)};
         const ChangeTimes::Time before = times.now();
-        QVERIFY(!times.edge_changed_since(element, before));
+        QCOMPARE(times.changed_corners(element, 0), 0b111U);
+        QCOMPARE(times.changed_corners(element, before), 0U);
         times.touch(NodeId(1));
         times.touch(NodeId(3));
-        QVERIFY(!times.edge_changed_since(element, before));
+        QCOMPARE(times.changed_corners(element, before), 0b010U);
+        QVERIFY(!ChangeTimes::has_edge(0b010U));
         times.touch(NodeId(2));
-        QVERIFY(times.edge_changed_since(element, before));
+        QCOMPARE(times.changed_corners(element, before), 0b110U);
+        QVERIFY(ChangeTimes::has_edge(0b110U));
     }
 
     void lanes_go_on_from_the_latest_of_all() {
