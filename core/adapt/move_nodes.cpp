@@ -216,13 +216,24 @@ private:
         }
         const Vec<D> a = (mesh_.edit.point(guides_[0]) - mesh_.edit.point(v)).normalized();
         const Vec<D> b = (mesh_.edit.point(guides_[1]) - mesh_.edit.point(v)).normalized();
-        if ((a + b).norm() < flat) {
-            room_ = Room::plane;
+        const bool straight = (a + b).norm() < flat;
+        room_ = straight ? Room::plane : Room::none;
+        if (!may_curve()) {
             return;
         }
         gather_site(mesh_.edit, v, site_);
         site_.direction = (b - a).normalized();
-        room_ = may_curve() && site_.patches.size() == 2 ? Room::curve : Room::none;
+        // A node that was put into the middle of an edge is straight between its neighbours.
+        if (site_.patches.size() == 2 && (!straight || is_off_surface(v))) {
+            room_ = Room::curve;
+        }
+    }
+
+    [[nodiscard]] bool is_off_surface(NodeId v) const {
+        const Vec<D>& p = mesh_.edit.point(v);
+        const auto place = place_on_surface(*mesh_.edit.original_surface(), site_, p,
+                                            options_.curved->largest_turn_deg);
+        return place && !is_same_place(*place, p);
     }
 
     /// The place a step leads to, if there is one.

@@ -188,7 +188,7 @@ private slots:
         const Off now = off(mesh, given);
         // A few may stay in the middle of edges, where elements would be bad on the surface.
         QCOMPARE_LE(200 * now.count, now.nodes);
-        QCOMPARE(now.count_of_lines, 0);
+        QCOMPARE_LE(now.count_of_lines, 1);
         if (!cylinder) {
             return;
         }
