@@ -9,7 +9,7 @@
 namespace ameco {
 
 /// Notes on the nodes and the element slots of a mesh. They spare work that would end as it did
-/// before, and change no result.
+/// before; to what few results that is not quite true, see docs/theory/remeshing.md.
 struct EditNotes {
     template <int D>
     explicit EditNotes(const EditMesh<D>& mesh)
