@@ -75,11 +75,25 @@ private:
         if (leave_along_line(v)) {
             return true;
         }
-        if ((a.valid() && b.valid()) || lines_.beside_used_gap(v) || !remove_off_line(v)) {
+        if ((a.valid() && b.valid()) || lines_.beside_used_gap(v) || !beside_moved_wall(v) ||
+            !remove_off_line(v)) {
             return false;
         }
         take_off_line(v);
         return true;
+    }
+
+    /// Whether a wall has moved on which the node's line has a neighbour. Where it has not, all of
+    /// a layer can stay as well, and lines that lose their ends cost more than thin elements do.
+    bool beside_moved_wall(NodeId v) const {
+        const auto has_moved = [&](NodeId w) {
+            const auto ball = mesh_.ball(w);
+            return std::any_of(ball.begin(), ball.end(), [&](ElementId e) {
+                return mesh_.is_ghost(e) && mesh_.element(e).measure > 0;
+            });
+        };
+        const NodeId a = lines_.previous[v], b = lines_.next[v];
+        return (a.valid() && has_moved(a)) || (b.valid() && has_moved(b));
     }
 
     void take_off_line(NodeId v) {
@@ -181,7 +195,7 @@ private:
     }
 
     Leaving leaving(NodeId v) const {
-        const bool late = !first_pass_ && lines_.on_line(v);
+        const bool late = !first_pass_ && lines_.on_line(v) && beside_moved_wall(v);
         return {v, late ? static_cast<float>(options_.interpolation.late) : 1};
     }
 
