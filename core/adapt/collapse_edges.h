@@ -8,9 +8,9 @@
 namespace ameco {
 
 struct CollapseOptions {
-    double below = 0.70710678118654752; ///< edges shorter than this are collapsed [-]
-    double longest = 1.6;               ///< no new edge may be longer than this, or than one it
-                                        ///< replaces [-]
+    double below = shortest_in_band; ///< edges shorter than this, 1/sqrt(2), are collapsed [-]
+    double longest = 1.6;            ///< no new edge may be longer than this, or than one it
+                                     ///< replaces [-]
     bool by_excess = false;     ///< instead of that: the sum of the excesses of lengths must fall
     double quality_share = 1.0; ///< the worst quality may fall to this share of what it was ...
     double quality_floor = 0.2; ///< ... and to this, where it was better [-]

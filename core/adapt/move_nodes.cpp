@@ -91,7 +91,7 @@ private:
         }
         mesh_.move_node(v, p);
         if (is_better(v, aim) && keeps_surface(v)) {
-            store(v);
+            mesh_.keep_moved(v, qualities_);
             return true;
         }
         mesh_.restore(v, old);
@@ -316,16 +316,6 @@ private:
         return std::all_of(mesh_.edit.ball(v).begin(), mesh_.edit.ball(v).end(), [&](ElementId e) {
             return mesh_.edit.is_ghost(e) || is_positive(mesh_.edit, mesh_.edit.nodes(e));
         });
-    }
-
-    void store(NodeId v) {
-        std::size_t k = 0;
-        for (const ElementId e : mesh_.edit.ball(v)) {
-            if (!mesh_.edit.is_ghost(e)) {
-                mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
-            }
-        }
-        mesh_.touch_ball(v);
     }
 
     UnitMesh<D>& mesh_;

@@ -74,7 +74,7 @@ private:
         mesh_.move_node(m, *place);
         if (keeps_elements(m) && judge_moved_faces(mesh_.edit, m, site_.faces, mesh_.short_size(m),
                                                    *options_.curved) == Verdict::accepted) {
-            store(m);
+            mesh_.keep_moved(m, qualities_);
         } else {
             mesh_.restore(m, old);
         }
@@ -112,17 +112,6 @@ private:
             }
         }
         return true;
-    }
-
-    /// Keeps the qualities just found.
-    void store(NodeId m) {
-        std::size_t k = 0;
-        for (const ElementId e : mesh_.edit.ball(m)) {
-            if (!mesh_.edit.is_ghost(e)) {
-                mesh_.edit.set_measure(e, static_cast<float>(qualities_[k++]));
-            }
-        }
-        mesh_.touch_ball(m);
     }
 
     void gather_near() {

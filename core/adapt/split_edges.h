@@ -10,7 +10,7 @@
 namespace ameco {
 
 struct SplitOptions {
-    double above = 1.4142135623730951; ///< edges longer than this are split [-]
+    double above = longest_in_band; ///< edges longer than this, sqrt(2), are split [-]
     double shortest = 0.70;  ///< no new edge beside the halves may be shorter than this [-] ...
     double much_above = 2.5; ///< ... and where the edge is longer than this,
     double shortest_among_long = 0.8; ///< than this [-]

@@ -114,8 +114,12 @@ void UnitMesh<D>::replace(const Cavity<D>& cavity, const Star<D>& star) {
 }
 
 template <int D>
-void UnitMesh<D>::touch_ball(NodeId v) {
+void UnitMesh<D>::keep_moved(NodeId v, std::span<const double> qualities) {
+    std::size_t k = 0;
     for (const ElementId e : edit.ball(v)) {
+        if (!edit.is_ghost(e)) {
+            edit.set_measure(e, static_cast<float>(qualities[k++]));
+        }
         for (const NodeId w : edit.nodes(e)) {
             if (w != edit.ghost()) {
                 touch(w);

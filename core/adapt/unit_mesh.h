@@ -117,10 +117,12 @@ public:
     /// Starts a new time, and returns it.
     ChangeTimes::Time tick() { return changes_.tick(); }
 
-    /// Says that the ball of a node has changed, in a time of its own.
-    void touch_ball(NodeId v);
-    /// Notes on what was tried in vain. They spare work that would end as it did before.
-    [[nodiscard]] ChangeTimes::Time now() const { return changes_.now(); }
+    /// Says that the ball of a node that has moved has changed, in a time of its own.
+    /// \param qualities  of the real elements of the ball, in its order
+    void keep_moved(NodeId v, std::span<const double> qualities);
+
+    // Notes on what was tried in vain spare work that would end as it did before.
+
     /// The corners of an element at which something has changed since no swap was found there, as
     /// bits; all where none was tried yet.
     [[nodiscard]] unsigned corners_changed_since_swap(ElementId e) const {

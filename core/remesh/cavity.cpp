@@ -24,6 +24,21 @@ int position_in(const Simplex<D>& s, NodeId v) {
     return position;
 }
 
+/// Of a cavity whose elements are those at the edge a, b.
+template <int D>
+void gather_shell_facets(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity) {
+    const std::size_t size = cavity.elements.size();
+    cavity.facets.resize(2 * size);
+    cavity.inside.resize(2 * size);
+    for (std::size_t k = 0; k < size; ++k) {
+        const ElementId e = cavity.elements[k];
+        const Simplex<D>& s = mesh.nodes(e);
+        cavity.facets[2 * k] = facet_of<D>(s, position_in<D>(s, a));
+        cavity.facets[2 * k + 1] = facet_of<D>(s, position_in<D>(s, b));
+        cavity.inside[2 * k] = cavity.inside[2 * k + 1] = e;
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -50,14 +65,16 @@ void gather_ball(const EditMesh<D>& mesh, NodeId v, Cavity<D>& cavity) {
 
 template <int D>
 void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, Cavity<D>& cavity) {
-    std::vector<ElementId> shell;
-    const bool quicker = mesh.ball(b).size() < mesh.ball(a).size();
-    for (const ElementId e : mesh.ball(quicker ? b : a)) {
-        if (contains(mesh.nodes(e), quicker ? a : b)) {
-            shell.push_back(e);
+    if (mesh.ball(b).size() < mesh.ball(a).size()) {
+        std::swap(a, b);
+    }
+    cavity.elements.clear();
+    for (const ElementId e : mesh.ball(a)) {
+        if (contains(mesh.nodes(e), b)) {
+            cavity.elements.push_back(e);
         }
     }
-    gather_shell<D>(mesh, a, b, shell, cavity);
+    gather_shell_facets(mesh, a, b, cavity);
 }
 
 template <int D>
@@ -67,14 +84,7 @@ void gather_shell(const EditMesh<D>& mesh, NodeId a, NodeId b, std::span<const E
         std::swap(a, b);
     }
     cavity.elements.assign(elements.begin(), elements.end());
-    cavity.facets.resize(2 * elements.size());
-    cavity.inside.resize(2 * elements.size());
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const Simplex<D>& s = mesh.nodes(elements[k]);
-        cavity.facets[2 * k] = facet_of<D>(s, position_in<D>(s, a));
-        cavity.facets[2 * k + 1] = facet_of<D>(s, position_in<D>(s, b));
-        cavity.inside[2 * k] = cavity.inside[2 * k + 1] = elements[k];
-    }
+    gather_shell_facets(mesh, a, b, cavity);
 }
 
 template <int D>

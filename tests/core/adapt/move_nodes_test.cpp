@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/adapt/move_nodes.h"
 
-#include "core/cases/shell.h"
 #include "core/mesh/boundary_projection.h"
 #include "tests/core/adapt/adapt_support.h"
-#include "tests/support/layered_cases.h"
+#include "tests/core/adapt/curved_walls.h"
 
 #include <QTest>
 
@@ -46,20 +45,6 @@ struct RoundBench {
         return count;
     }
 };
-
-Mesh<3> between_spheres() {
-    ShellOptions shell;
-    shell.frequency = 4;
-    shell.aspect_ratio = 1;
-    shell.growth = 1.5;
-    shell.far_field = 2;
-    shell.displace = 0.2;
-    return make_shell(shell);
-}
-
-Mesh<3> between_cylinders() {
-    return layered_cases::cylinder(16, 4, {0, 0.4, 0.8});
-}
 
 /// Largest distance of the boundary nodes of a mesh to the boundary of another, patch by patch.
 double farthest(const Mesh<3>& mesh, const Mesh<3>& original) {

@@ -2,9 +2,8 @@
 #include "core/adapt/place_on_surface.h"
 
 #include "core/adapt/adapt.h"
-#include "core/cases/shell.h"
 #include "tests/core/adapt/adapt_support.h"
-#include "tests/support/layered_cases.h"
+#include "tests/core/adapt/curved_walls.h"
 
 #include <QTest>
 
@@ -12,21 +11,6 @@ using namespace ameco;
 using namespace ameco::adapt_test;
 
 namespace {
-
-Mesh<3> between_spheres() {
-    ShellOptions shell;
-    shell.frequency = 4;
-    shell.aspect_ratio = 1;
-    shell.growth = 1.5;
-    shell.far_field = 2;
-    shell.displace = 0.2;
-    return make_shell(shell);
-}
-
-/// Whose ends are planes across the y axis, with circles around them.
-Mesh<3> between_cylinders() {
-    return layered_cases::cylinder(16, 4, {0, 0.4, 0.8});
-}
 
 /// How far the nodes of a boundary are from another one, patch by patch, those between two patches
 /// from the line between them.
