@@ -3,10 +3,10 @@
 /// A mesh on its way to be unit in a metric: what all operators of the adaptation look at.
 #pragma once
 
-#include "core/adapt/length_excess.h"
 #include "core/adapt/metric_source.h"
 #include "core/base/stop_check.h"
 #include "core/metric/edge_length.h"
+#include "core/metric/length_excess.h"
 #include "core/remesh/cavity.h"
 #include "core/remesh/change_times.h"
 #include "core/remesh/metric_quality.h"

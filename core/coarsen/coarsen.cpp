@@ -107,6 +107,10 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
         MonitorPart rest(monitor, begin + 0.6 / options.passes, begin + 1.0 / options.passes);
         swap_bad_elements(mesh, swap_input, last ? options.swaps : between, options.removal.surface,
                           report.swaps, rest);
+        if (last) {
+            swap_lengths(mesh, swap_input, data.target, options.lengths, options.removal.surface,
+                         report.swaps);
+        }
         surface.measure(mesh);
         report.seconds.swap += watch.lap();
         stop_if_asked(monitor);

@@ -11,6 +11,7 @@
 #include "core/metric/nodal_metric.h"
 #include "core/remesh/geometry_classes.h"
 #include "core/remesh/swap.h"
+#include "core/remesh/swap_lengths.h"
 #include "core/remesh/verdict.h"
 
 namespace ameco {
@@ -44,7 +45,8 @@ struct CoarsenOptions {
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     /// A third round would mend one element in a thousand.
     SwapOptions swaps{.rounds = 2, .below_again = 0.75};
-    int passes = 6; ///< removal passes, >= 1; swaps come after each
+    int passes = 6;            ///< removal passes, >= 1; swaps come after each
+    LengthSwapOptions lengths; ///< after the last of them
     CoarseNodes nodes = CoarseNodes::nested;
     FitOptions fit;                     ///< for moved nodes
     std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more

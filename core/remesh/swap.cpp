@@ -2,79 +2,13 @@
 #include "core/remesh/swap.h"
 
 #include "core/base/parallel.h"
+#include "core/remesh/coarsening_rules.h"
 #include "core/remesh/patch_work.h"
 
 #include <algorithm>
 
 namespace ameco {
 namespace {
-
-/// The rules of swaps while a mesh is coarsened.
-template <int D>
-class CoarseningRules {
-public:
-    CoarseningRules(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
-                    std::size_t lane)
-        : mesh_(mesh), in_(input), options_(options), lane_(lane) {}
-
-    /// Computed once until the element changes.
-    double quality(ElementId e) {
-        float& known = in_.notes.quality[e.index()];
-        if (known < 0) {
-            known = static_cast<float>(metric_quality(mesh_, in_.root, mesh_.nodes(e)));
-        }
-        return static_cast<double>(known);
-    }
-    double quality(const Simplex<D>& s, double least) const {
-        return metric_quality_above(mesh_, in_.root, s, least);
-    }
-    double short_size(NodeId v) const { return static_cast<double>(in_.short_size[v]); }
-
-    void look_at(const Cavity<D>& cavity) {
-        size_before_ = worst_quality(mesh_, cavity);
-        lineless_before_ = 0;
-        for (const ElementId e : cavity.elements) {
-            lineless_before_ += lineless(mesh_.nodes(e));
-        }
-    }
-
-    Verdict judge(const Cavity<D>& cavity, Star<D>& star) {
-        int lineless_after = 0;
-        for (const EditElement<D>& e : star.elements) {
-            lineless_after += lineless(e.nodes);
-        }
-        if (lineless_after > lineless_before_) {
-            return Verdict::breaks_line;
-        }
-        const Verdict verdict =
-            ameco::judge(mesh_, in_.sizes, std::min(options_.size_floor, size_before_), star);
-        if (verdict == Verdict::accepted &&
-            !in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_)) {
-            return Verdict::weak_coupling;
-        }
-        return verdict;
-    }
-
-    void make(const Cavity<D>& cavity, const Star<D>& star) {
-        // Other proposals may have been looked at since this one was found.
-        (void)in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_);
-        const auto slots = mesh_.replace(cavity.elements, star.elements, star.sources, lane_);
-        in_.removed.move(cavity.elements, slots, lane_);
-        in_.notes.replaced(slots, star.elements, mesh_, lane_);
-    }
-
-private:
-    int lineless(const Simplex<D>& s) const {
-        return s[D] != mesh_.ghost() && is_lineless<D>(in_.lines, s) ? 1 : 0;
-    }
-
-    EditMesh<D>& mesh_;
-    const SwapInput<D>& in_;
-    const SwapOptions& options_;
-    double size_before_ = 1;
-    int lineless_before_ = 0;
-    std::size_t lane_; ///< of the mesh
-};
 
 /// Mends elements of low quality within a patch.
 template <int D>
@@ -83,7 +17,7 @@ public:
     Mender(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
            const SurfaceRules& surface, const Patch& patch, VerdictCounts& verdicts)
         : mesh_(mesh), options_(options), notes_(input.notes), patch_(patch),
-          rules_(mesh, input, options, patch.lane()),
+          rules_(mesh, input, options.size_floor, patch.lane()),
           search_(mesh, rules_, options, surface, verdicts) {}
 
     /// \return  false where the element is not within the patch
@@ -168,7 +102,7 @@ std::vector<ElementId> elements_to_try(EditMesh<D>& mesh, const SwapInput<D>& in
     constexpr std::size_t slots_per_piece = 16384;
     std::vector<std::vector<ElementId>> pieces(mesh.slot_count() / slots_per_piece + 1);
     parallel_for(mesh.slot_count(), slots_per_piece, [&](std::size_t begin, std::size_t end) {
-        CoarseningRules<D> rules(mesh, input, options, 0);
+        CoarseningRules<D> rules(mesh, input, options.size_floor, 0);
         for (std::size_t i = begin; i < end; ++i) {
             const ElementId e(i);
             if (input.partitions.empty() ||
@@ -189,21 +123,6 @@ std::vector<ElementId> elements_to_try(EditMesh<D>& mesh, const SwapInput<D>& in
 } // namespace
 
 template <int D>
-bool is_lineless(const Lines& lines, const Simplex<D>& element) {
-    for (const NodeId v : element) {
-        if (!lines.on_line(v)) {
-            return false;
-        }
-    }
-    for (const auto& [i, j] : SimplexNumbering<D>::edges) {
-        if (lines.linked(element[i], element[j])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-template <int D>
 void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapOptions& options,
                        const SurfaceRules& surface, VerdictCounts& verdicts, Monitor& monitor) {
     SwapOptions tried = options;
@@ -222,7 +141,6 @@ void swap_bad_elements(EditMesh<D>& mesh, const SwapInput<D>& input, const SwapO
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
-    template bool is_lineless<D>(const Lines&, const Simplex<D>&);                                 \
     template void swap_bad_elements(EditMesh<D>&, const SwapInput<D>&, const SwapOptions&,         \
                                     const SurfaceRules&, VerdictCounts&, Monitor&);
 

@@ -26,10 +26,11 @@ enum class Verdict : std::uint8_t {
     cavity_too_large, ///< more elements around the edge than a re-star is tried on
     region_border,    ///< elements of several regions, or a face inside the domain
     short_edge,       ///< a split would leave an edge that is too short
-    long_edge         ///< a collapse would leave an edge that is too long
+    long_edge,        ///< a collapse would leave an edge that is too long
+    stiff_element     ///< a swap would leave the coarse matrix stiff at a node
 };
 
-inline constexpr std::size_t verdict_count = 17;
+inline constexpr std::size_t verdict_count = 18;
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 

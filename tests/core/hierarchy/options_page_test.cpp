@@ -35,6 +35,7 @@ constexpr Source sources[] = {
     {"SurfaceRules", "What an operation may do to the boundary"},
     {"InterpolationBound", "How well removed nodes stay interpolated"},
     {"SwapOptions", "Swaps"},
+    {"LengthSwapOptions", "Swaps for lengths"},
     {"FitOptions", "Moved nodes"},
     {"AdaptOptions", "Adaptation to a metric (`ameco remesh`)"},
     {"SplitOptions", "Splits of long edges"},

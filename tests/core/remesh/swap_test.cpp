@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/swap.h"
 
-#include "core/cases/cube.h"
 #include "core/cases/layer.h"
-#include "core/remesh/collapse.h"
-#include "core/remesh/front_order.h"
-#include "tests/core/remesh/remesh_support.h"
+#include "core/remesh/coarsening_rules.h"
+#include "tests/core/remesh/swap_support.h"
 
 #include <QTest>
 
@@ -16,26 +14,6 @@ using namespace ameco::remesh_test;
 using shapes::nodes;
 
 namespace {
-
-constexpr SurfaceRules plane_sides{
-    .largest_turn_deg = 30, .relative_distance = 1e-9, .layer_share = 1e9};
-
-/// Lines without any node on them.
-Lines no_lines(std::size_t n) {
-    Lines lines;
-    lines.previous.resize(n);
-    lines.next.resize(n);
-    lines.position.assign(n, -1);
-    lines.gap_used.assign(n, 0);
-    return lines;
-}
-
-template <int D>
-Lines lines_of(const Workbench<D>& bench) {
-    const Couplings couplings = make_couplings(bench.mesh);
-    const FrontOrder front = front_order(bench.mesh, bench.metric, couplings.neighbours);
-    return find_lines(bench.mesh, couplings, front.key);
-}
 
 template <int D>
 struct Look {
@@ -88,39 +66,6 @@ std::int64_t swap_and_verify(Workbench<D>& bench, const Lines& lines) {
     return verdicts[Verdict::accepted];
 }
 
-/// Removes nodes at random, as long as the mesh allows it, to leave elements of all shapes.
-template <int D>
-void thin_out(Workbench<D>& bench, int attempts, unsigned seed) {
-    std::mt19937 random(seed);
-    Cavity<D> ball;
-    Star<D> star;
-    for (int i = 0; i < attempts; ++i) {
-        const NodeId v(random() % bench.edit.node_count());
-        if (bench.edit.is_removed(v)) {
-            continue;
-        }
-        const auto around = neighbours(bench.edit, v);
-        const Collapse collapse{v, around[random() % around.size()]};
-        gather_ball(bench.edit, v, ball);
-        if (propose_collapse(bench.edit, bench.sizes, plane_sides, {0, 0}, 1, collapse, ball,
-                             star) == Verdict::accepted) {
-            const auto in = apply_collapse(bench.edit, collapse, ball, star);
-            bench.notes.replaced(in, star.elements, bench.edit, 0);
-        }
-    }
-}
-
-template <int D>
-Mesh<D> displaced_cube(int n, unsigned seed) {
-    Mesh<D> mesh = make_cube<D>({.n = n,
-                                 .displace = 0.2,
-                                 .diagonals = Diagonals::random,
-                                 .seed = static_cast<int>(seed),
-                                 .shuffle = static_cast<int>(seed) + 1});
-    worsen(mesh, 0.5 / n, seed);
-    return mesh;
-}
-
 template <int D>
 void improve_displaced_cubes(int n, unsigned seed) {
     const Mesh<D> mesh = displaced_cube<D>(n, seed);
@@ -162,16 +107,6 @@ void keep_lines(double aspect_ratio, unsigned seed) {
     QCOMPARE_GE(swap_and_verify(bench, lines), 0);
     thin_out(bench, 400, seed);
     QCOMPARE_GE(swap_and_verify(bench, lines), 1);
-}
-
-template <int D>
-std::set<std::vector<std::array<double, D>>> places(const Mesh<D>& mesh,
-                                                    const std::vector<int>& faces) {
-    std::set<std::vector<std::array<double, D>>> out;
-    for (const int f : faces) {
-        out.insert(place_of<D>(mesh, mesh.faces[FaceId(f)]));
-    }
-    return out;
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "core/adapt/length_excess.h"
+#include "core/metric/length_excess.h"
 
 #include <QTest>
 
