@@ -20,7 +20,7 @@ enum class Room {
     domain,  ///< anywhere
     plane,   ///< in the plane or on the line of its neighbours
     surface, ///< on its patch of the original surface
-    curve,   ///< on the original curve between its two patches
+    ridge,   ///< on the original ridges between its two patches, or inside the only one
     none
 };
 
@@ -224,8 +224,8 @@ private:
         gather_site(mesh_.edit, v, site_);
         site_.direction = (b - a).normalized();
         // A node that was put into the middle of an edge is straight between its neighbours.
-        if (site_.patches.size() == 2 && (!straight || is_off_surface(v))) {
-            room_ = Room::curve;
+        if (!straight || is_off_surface(v)) {
+            room_ = Room::ridge;
         }
     }
 
@@ -249,7 +249,7 @@ private:
             }
         } else if (room_ == Room::surface) {
             p = old + (step - site_.direction * site_.direction.dot(step));
-        } else if (room_ == Room::curve) {
+        } else if (room_ == Room::ridge) {
             p = old + site_.direction * site_.direction.dot(step);
         }
         return is_curved() ? place_on_surface(*mesh_.edit.original_surface(), site_, p,
@@ -257,7 +257,7 @@ private:
                            : std::optional<Vec<D>>(p);
     }
 
-    [[nodiscard]] bool is_curved() const { return room_ == Room::surface || room_ == Room::curve; }
+    [[nodiscard]] bool is_curved() const { return room_ == Room::surface || room_ == Room::ridge; }
 
     /// Whether the boundary at a node that moved on it is one the rules allow.
     [[nodiscard]] bool keeps_surface(NodeId v) {

@@ -30,7 +30,7 @@ Off off(const Mesh<3>& mesh, const Mesh<3>& original) {
         }
         const Vec<3>& p = mesh.points[v];
         const bool on_line = patches[v].size() == 2;
-        const double distance = on_line ? projection.project_on_border(p, patches[v]).distance
+        const double distance = on_line ? projection.project_on_line(p, patches[v]).distance
                                         : projection.project(p, patches[v]).distance;
         const int is_off = distance > 1e-12 ? 1 : 0;
         off.count += is_off;
