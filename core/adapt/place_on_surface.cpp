@@ -70,9 +70,8 @@ std::optional<Vec<D>> place_on_surface(const OriginalSurface<D>& original,
         x[i] = original.boundary().points[foot.nodes[i]];
     }
     // A line has no sense of its own.
-    const double cosine = site.on_ridge
-                              ? std::abs((x[1] - x[0]).normalized().dot(site.direction))
-                              : unit_normal(x).dot(site.direction);
+    const double cosine = site.on_ridge ? std::abs((x[1] - x[0]).normalized().dot(site.direction))
+                                        : unit_normal(x).dot(site.direction);
     if (!(cosine >= std::cos(largest_turn_deg * std::numbers::pi / 180))) {
         return {};
     }

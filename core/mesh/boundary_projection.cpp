@@ -151,9 +151,9 @@ BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceI
     }
     for (const Edge& ridge : ridges) {
         const auto has_ridge = [&](const PatchEdge& e) { return e.nodes == ridge; };
-        const auto use = std::lower_bound(
-            edges.begin(), edges.end(), ridge,
-            [](const PatchEdge& e, const Edge& nodes) { return e.nodes < nodes; });
+        const auto use =
+            std::lower_bound(edges.begin(), edges.end(), ridge,
+                             [](const PatchEdge& e, const Edge& nodes) { return e.nodes < nodes; });
         if (use != edges.end() && has_ridge(*use) &&
             (use + 1 == edges.end() || !has_ridge(*(use + 1)))) {
             lines_[{use->patch, use->patch}].edges.push_back(ridge);

@@ -142,8 +142,8 @@ double in_band(const std::set<Edge>& edges, const Mesh<3>& mesh, const MetricFie
     const auto count = std::count_if(edges.begin(), edges.end(), [&](const Edge& edge) {
         const auto [a, b] = edge;
         const Vec<3> e = mesh.points[b] - mesh.points[a];
-        const double length = edge_length((length_factor(field[a]) * e).norm(),
-                                          (length_factor(field[b]) * e).norm());
+        const double length =
+            edge_length((length_factor(field[a]) * e).norm(), (length_factor(field[b]) * e).norm());
         return length > 1 / std::numbers::sqrt2 && length < std::numbers::sqrt2;
     });
     return edges.empty() ? 1 : static_cast<double>(count) / static_cast<double>(edges.size());
