@@ -249,6 +249,9 @@ void adapt_curved() {
     layered_cases::join_patches(one_patch);
     adapt_one("one patch", one_patch, WallMetric(true, 0.2, 0.2));
     adapt_one("one patch, layer", one_patch, WallMetric(true, 0.02, 0.15));
+    Mesh<3> coarse = layered_cases::cylinder(16, 4, growing_layers(0.1, 1.5, 0.4, 4));
+    layered_cases::join_patches(coarse);
+    adapt_one("one patch, finer", coarse, WallMetric(true, 0.15, 0.15));
 }
 
 /// Ratio of the meshes that keep every 2^(k-1)-th and every 2^k-th layer.
