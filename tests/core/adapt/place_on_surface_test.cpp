@@ -209,6 +209,28 @@ private slots:
         }
     }
 
+    void ridges_side_by_side_inside_a_patch_are_told_apart() {
+        // Rims much nearer to each other than the middles of their edges are to the circle.
+        constexpr int around = 16;
+        constexpr double height = 1e-4;
+        Mesh<3> given = layered_cases::cylinder(around, 1, {0, 0.4, 0.8});
+        layered_cases::join_patches(given);
+        for (const NodeId v : given.points.ids()) { // row 0 of a layer, row 1, next layer
+            const int row = v.value() / around % 2;
+            const Vec<3> below = given.points[NodeId(v.value() - around * row)];
+            given.points[v] = {below[0], row * height, below[2]};
+        }
+        Metric<3> metric;
+        metric.sizes << height, 0.28, 0.28;
+        metric.directions << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+        AdaptReport report;
+        const Mesh<3> mesh = adapt(given, UniformMetric<3>(metric), {}, report).mesh;
+        const Off before = off_surface(given, given), now = off_surface(mesh, given);
+        QCOMPARE_GT(now.ridge_nodes, before.ridge_nodes);
+        QCOMPARE(now.count, 0);
+        is_cut_at_the_same_planes(mesh, given);
+    }
+
     void edges_of_ridges_come_into_band_inside_a_patch_too() {
         const auto in_band = [](bool move) {
             constexpr double size = 0.5;
