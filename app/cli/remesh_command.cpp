@@ -39,7 +39,7 @@ public:
             "edge between them, edges and faces are swapped, nodes are moved; where much is to "
             "change, in stages that halve or double sizes. The boundary of MESH is the geometry: "
             "corners, ridges and borders between patches stay, planar patches stay planar, nodes "
-            "that are new on a curved patch lie on its faces.\n"
+            "that are new on a curved patch lie on its faces, on a ridge on its edges.\n"
             "For a series of coarser meshes with lines kept whole use ameco coarsen."};
     }
 

@@ -35,8 +35,8 @@ struct AdaptOptions {
     CollapseOptions collapse;
     SwapOptions swap{.below = 0.7, .gain = 1.01, .rounds = 2};
     MoveOptions move{.halvings = 2};
-    bool move_curved = true; ///< nodes of curved patches are put and move on the boundary of the
-                             ///< given mesh
+    bool move_curved = true; ///< nodes of curved patches and ridges are put and move on the
+                             ///< boundary of the given mesh
     bool node_nested =
         false; ///< no new nodes, and none is moved: what is left are nodes of the mesh
     double stage_factor = 2;       ///< sizes change at most by this from stage to stage [-], > 1

@@ -18,9 +18,10 @@ constexpr double flat = 1e-10;
 /// Where a node may go.
 enum class Room {
     domain,  ///< anywhere
-    plane,   ///< in the plane or on the line of its neighbours
+    plane,   ///< in the plane of its faces
+    line,    ///< on the line of its neighbours on the ridge
     surface, ///< on its patch of the original surface
-    curve,   ///< on the original curve between its two patches
+    ridge,   ///< on the original ridges between its two patches, or inside the only one
     none
 };
 
@@ -205,6 +206,13 @@ private:
         std::sort(guides_.begin(), guides_.end());
         guides_.erase(std::unique(guides_.begin(), guides_.end()), guides_.end());
         room_ = plane ? Room::plane : may_curve() ? Room::surface : Room::none;
+        if (plane) { // of all normals the largest faces have the most accurate ones
+            site_.direction.setZero();
+            for (const auto& x : corners) {
+                site_.direction += normal(x);
+            }
+            site_.direction.normalize();
+        }
     }
 
     void collect_line(NodeId v) {
@@ -217,15 +225,15 @@ private:
         const Vec<D> a = (mesh_.edit.point(guides_[0]) - mesh_.edit.point(v)).normalized();
         const Vec<D> b = (mesh_.edit.point(guides_[1]) - mesh_.edit.point(v)).normalized();
         const bool straight = (a + b).norm() < flat;
-        room_ = straight ? Room::plane : Room::none;
-        if (!may_curve()) {
-            return;
-        }
         gather_site(mesh_.edit, v, site_);
         site_.direction = (b - a).normalized();
         // A node that was put into the middle of an edge is straight between its neighbours.
-        if (site_.patches.size() == 2 && (!straight || is_off_surface(v))) {
-            room_ = Room::curve;
+        if (may_curve() && (!straight || is_off_surface(v))) {
+            room_ = Room::ridge;
+        } else if (straight) {
+            room_ = Room::line;
+            site_.direction =
+                (mesh_.edit.point(guides_[1]) - mesh_.edit.point(guides_[0])).normalized();
         }
     }
 
@@ -236,28 +244,35 @@ private:
         return place && !is_same_place(*place, p);
     }
 
+    /// What of a step neither leaves the plane or line, nor, where they are curved, that which
+    /// touches them.
+    [[nodiscard]] Vec<D> part_within_room(const Vec<D>& step) const {
+        if (room_ == Room::domain) {
+            return step;
+        }
+        const Vec<D> along = site_.direction * site_.direction.dot(step);
+        const bool on_line = room_ == Room::line || room_ == Room::ridge;
+        return on_line ? along : Vec<D>(step - along);
+    }
+
     /// The place a step leads to, if there is one.
     [[nodiscard]] std::optional<Vec<D>> place_at(const Vec<D>& old, const Vec<D>& step) const {
-        Vec<D> p = old + step;
-        if (room_ == Room::plane) {
-            // A plane or line along a coordinate axis is kept to the bit.
+        Vec<D> p = old + part_within_room(step);
+        if (room_ == Room::plane || room_ == Room::line) {
+            // Planes across a coordinate axis and lines along one are kept to the bit.
             for (int k = 0; k < D; ++k) {
                 if (std::all_of(guides_.begin(), guides_.end(),
                                 [&](NodeId w) { return mesh_.edit.point(w)[k] == old[k]; })) {
                     p[k] = old[k];
                 }
             }
-        } else if (room_ == Room::surface) {
-            p = old + (step - site_.direction * site_.direction.dot(step));
-        } else if (room_ == Room::curve) {
-            p = old + site_.direction * site_.direction.dot(step);
         }
         return is_curved() ? place_on_surface(*mesh_.edit.original_surface(), site_, p,
                                               options_.curved->largest_turn_deg)
                            : std::optional<Vec<D>>(p);
     }
 
-    [[nodiscard]] bool is_curved() const { return room_ == Room::surface || room_ == Room::curve; }
+    [[nodiscard]] bool is_curved() const { return room_ == Room::surface || room_ == Room::ridge; }
 
     /// Whether the boundary at a node that moved on it is one the rules allow.
     [[nodiscard]] bool keeps_surface(NodeId v) {
@@ -322,7 +337,7 @@ private:
     const MoveOptions& options_;
     std::vector<NodeId> guides_, neighbours_;
     Room room_ = Room::none;
-    SurfaceSite<D> site_; ///< before the move; on curved patches and lines
+    SurfaceSite<D> site_; ///< before the move; on the boundary
     std::vector<double> qualities_;
     double excess_before_ = 0; ///< of the edges to neighbours_
     Measure before_;

@@ -17,10 +17,9 @@ struct MoveOptions {
                             ///< to where it rises; the worst quality may fall by that ...
     double excess_quality = 0.4; ///< ... to this [-], as on the way to the surface below
     double farthest = 1e300;     ///< from a node's first place in the UnitMesh, in the metric [-]
-    std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches, and of curved lines
-                                             ///< between two, which move on the original
-                                             ///< surface; those that are off it go there first;
-                                             ///< none: they stay
+    std::optional<SurfaceRules> curved = {}; ///< for nodes of curved patches and ridges, which move
+                                             ///< on the original surface; those that are off it go
+                                             ///< there first; none: they stay
 };
 
 /// Moves one node, as `move_nodes` does.
@@ -30,8 +29,7 @@ Verdict move_node(UnitMesh<D>& mesh, NodeId v, const MoveOptions& options);
 
 /// Moves nodes, in the order of their ids, towards the place from which their neighbours are one
 /// unit away. Nodes of planar patches stay in their plane, nodes of straight ridges on their line.
-/// Those of curved ones stay where they are, or move on the original surface. Other ridges than
-/// those between patches must be straight.
+/// Those of curved ones stay where they are, or move on the original surface, along its ridges.
 /// \param since  only nodes that have changed since are looked at
 /// \return  number of moves made
 /// \see length_excess.h

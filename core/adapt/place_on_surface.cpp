@@ -38,6 +38,7 @@ Vec<3> unit_normal(const std::array<Vec<3>, 3>& face) {
 template <int D>
 void gather_site(const EditMesh<D>& mesh, NodeId v, SurfaceSite<D>& site) {
     gather_faces(mesh, v, site.faces);
+    site.on_ridge = mesh.node_class(v) == NodeClass::ridge;
     site.direction.setZero();
     for (const auto& x : site.faces.corners) {
         site.direction += unit_normal(x);
@@ -55,10 +56,12 @@ template <int D>
 std::optional<Vec<D>> place_on_surface(const OriginalSurface<D>& original,
                                        const SurfaceSite<D>& site, const Vec<D>& p,
                                        double largest_turn_deg) {
-    const bool on_patch = site.patches.size() == 1;
-    const BoundaryPoint<D> foot = on_patch
-                                      ? original.projection().project(p, site.patches)
-                                      : original.projection().project_on_border(p, site.patches);
+    if (site.patches.size() > (site.on_ridge ? 2 : 1)) {
+        return {};
+    }
+    const BoundaryPoint<D> foot = site.on_ridge
+                                      ? original.projection().project_on_line(p, site.patches)
+                                      : original.projection().project(p, site.patches);
     if (!foot.nodes[0].valid()) {
         return {};
     }
@@ -67,8 +70,8 @@ std::optional<Vec<D>> place_on_surface(const OriginalSurface<D>& original,
         x[i] = original.boundary().points[foot.nodes[i]];
     }
     // A line has no sense of its own.
-    const double cosine = on_patch ? unit_normal(x).dot(site.direction)
-                                   : std::abs((x[1] - x[0]).normalized().dot(site.direction));
+    const double cosine = site.on_ridge ? std::abs((x[1] - x[0]).normalized().dot(site.direction))
+                                        : unit_normal(x).dot(site.direction);
     if (!(cosine >= std::cos(largest_turn_deg * std::numbers::pi / 180))) {
         return {};
     }

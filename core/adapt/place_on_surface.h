@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// Places on the boundary of the given mesh for nodes of curved patches, and of curved lines
-/// between two.
+/// Places on the boundary of the given mesh for nodes of curved patches and curved ridges.
 #pragma once
 
 #include "core/remesh/original_surface.h"
@@ -20,19 +19,20 @@ template <int D>
 struct SurfaceSite {
     NodeFaces<D> faces;
     std::vector<int> patches; ///< of these, ascending
-    Vec<D> direction;         ///< unit vector: the mean normal on a patch, the tangent on a line
+    bool on_ridge = false;    ///< between two patches, or inside the only one
+    Vec<D> direction;         ///< unit vector: the mean normal on a patch, the tangent on a ridge
 };
 
-/// Sets the faces and patches; the direction becomes the mean normal.
+/// Sets all but the direction on a ridge, which becomes the mean normal.
 template <int D>
 void gather_site(const EditMesh<D>& mesh, NodeId v, SurfaceSite<D>& site);
 
-/// The place nearest to `p` on the one patch of a site, or on the line between its two, of the
-/// original surface. What the corners of the face or edge it lies on have in common is kept to the
-/// bit.
+/// The place nearest to `p` on the original surface: on the one patch of a site, or on the ridges
+/// between its two or inside the only one. What the corners of the face or edge it lies on have in
+/// common is kept to the bit.
 /// \param largest_turn_deg  between the original surface there and the site's direction [deg]: the
 ///                          nearest place may be on the other side of something thin
-/// \return  none where the surface is turned by more, or there is no such line
+/// \return  none where the surface is turned by more, or there is no such ridge
 template <int D>
 [[nodiscard]] std::optional<Vec<D>> place_on_surface(const OriginalSurface<D>& original,
                                                      const SurfaceSite<D>& site, const Vec<D>& p,

@@ -83,13 +83,12 @@ private:
     /// Where a node in an edge of the boundary should be; none if that is where it is, to rounding,
     /// as on planes and straight lines.
     [[nodiscard]] std::optional<Vec<D>> place_of(NodeId a, NodeId b, NodeId m) {
-        const bool on_ridge = mesh_.edit.node_class(m) == NodeClass::ridge;
-        gather_site(mesh_.edit, m, site_);
         const OriginalSurface<D>* original = mesh_.edit.original_surface();
-        if (original == nullptr || site_.patches.size() != (on_ridge ? 2 : 1)) {
+        if (original == nullptr) {
             return {};
         }
-        if (on_ridge) {
+        gather_site(mesh_.edit, m, site_);
+        if (site_.on_ridge) {
             site_.direction = (mesh_.edit.point(b) - mesh_.edit.point(a)).normalized();
         }
         const Vec<D>& p = mesh_.edit.point(m);

@@ -16,9 +16,8 @@ struct SplitOptions {
     double shortest_among_long = 0.8; ///< than this [-]
     bool by_excess = false;     ///< instead of these: the sum of the excesses of lengths must fall
     double quality_share = 0.5; ///< the worst quality may fall to this share of what it was
-    std::optional<SurfaceRules> curved = {}; ///< nodes on curved patches, and on curved lines
-                                             ///< between two, are put on the original surface;
-                                             ///< none: they stay on the edge
+    std::optional<SurfaceRules> curved = {}; ///< nodes on curved patches and ridges are put on the
+                                             ///< original surface; none: they stay on the edge
     double surface_quality = 0.4;            ///< there the worst quality may fall to this [-]
 };
 

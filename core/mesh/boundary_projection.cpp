@@ -28,15 +28,16 @@ std::array<Vec<D>, D> face_corners(const Mesh<D>& mesh, FaceId f) {
     return x;
 }
 
+/// \param nodes  those of each item
 template <int D>
-std::vector<Box<D>> boxes_of(const Mesh<D>& mesh, const std::vector<FaceId>& faces) {
-    std::vector<Box<D>> boxes(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        for (const NodeId v : mesh.faces[faces[i]]) {
+std::unique_ptr<BoxTree<D>> tree_over(const Mesh<D>& mesh, const auto& items, const auto& nodes) {
+    std::vector<Box<D>> boxes(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (const NodeId v : nodes(items[i])) {
             boxes[i].extend(mesh.points[v]);
         }
     }
-    return boxes;
+    return std::make_unique<BoxTree<D>>(boxes);
 }
 
 /// An edge of a boundary face and the face's patch.
@@ -130,21 +131,36 @@ BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh)
     : BoundaryProjection(mesh, outer_faces(mesh)) {}
 
 template <int D>
-BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces)
+BoundaryProjection<D>::BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces,
+                                          const std::vector<Edge>& ridges)
     : mesh_(mesh) {
     all_.faces = std::move(faces);
     for (const FaceId f : all_.faces) {
         patches_[mesh.patch[f]].faces.push_back(f);
     }
-    all_.tree = std::make_unique<BoxTree<D>>(boxes_of(mesh, all_.faces));
+    const auto face_nodes = [&](FaceId f) -> const Facet<D>& { return mesh.faces[f]; };
+    all_.tree = tree_over(mesh, all_.faces, face_nodes);
     for (auto& [patch, part] : patches_) {
-        part.tree = std::make_unique<BoxTree<D>>(boxes_of(mesh, part.faces));
+        part.tree = tree_over(mesh, part.faces, face_nodes);
     }
     const std::vector<PatchEdge> edges = patch_edges(mesh, all_.faces);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = i + 1; j < edges.size() && edges[j].nodes == edges[i].nodes; ++j) {
-            borders_[{edges[i].patch, edges[j].patch}].push_back(edges[i].nodes);
+            lines_[{edges[i].patch, edges[j].patch}].edges.push_back(edges[i].nodes);
         }
+    }
+    for (const Edge& ridge : ridges) {
+        const auto has_ridge = [&](const PatchEdge& e) { return e.nodes == ridge; };
+        const auto use =
+            std::lower_bound(edges.begin(), edges.end(), ridge,
+                             [](const PatchEdge& e, const Edge& nodes) { return e.nodes < nodes; });
+        if (use != edges.end() && has_ridge(*use) &&
+            (use + 1 == edges.end() || !has_ridge(*(use + 1)))) {
+            lines_[{use->patch, use->patch}].edges.push_back(ridge);
+        }
+    }
+    for (auto& [patches, line] : lines_) {
+        line.tree = tree_over(mesh, line.edges, [](const Edge& e) -> const Edge& { return e; });
     }
 }
 
@@ -189,27 +205,30 @@ double BoundaryProjection<D>::distance(const Vec<D>& p, int patch, std::int32_t&
 }
 
 template <int D>
-BoundaryPoint<D> BoundaryProjection<D>::project_on_border(const Vec<D>& p,
-                                                          const std::vector<int>& patches) const {
-    BoundaryPoint<D> best;
-    best.distance = std::numeric_limits<double>::infinity();
-    const auto border = borders_.find({patches[0], patches[1]});
-    if (border == borders_.end()) {
+BoundaryPoint<D> BoundaryProjection<D>::project_on_line(const Vec<D>& p,
+                                                        const std::vector<int>& patches) const {
+    const auto found = lines_.find({patches[0], patches[patches.size() > 1 ? 1 : 0]});
+    if (found == lines_.end()) {
         return {};
     }
-    for (const Edge& e : border->second) {
-        const double t = nearest_on_segment(mesh_.points[e[0]], mesh_.points[e[1]], p);
-        const Vec<D> q = mesh_.points[e[0]] + t * (mesh_.points[e[1]] - mesh_.points[e[0]]);
-        if ((p - q).norm() < best.distance) {
-            best.distance = (p - q).norm();
-            best.nodes.fill(e[1]);
-            best.nodes[0] = e[0];
-            best.weights.fill(0);
-            best.weights[0] = 1 - t;
-            best.weights[1] = t;
-        }
-    }
-    return best;
+    const auto& [edges, tree] = found->second;
+    const auto point_on = [&](const Edge& e) {
+        const Vec<D>& a = mesh_.points[e[0]];
+        const Vec<D> along = mesh_.points[e[1]] - a;
+        const double t = nearest_on_segment<D>(a, mesh_.points[e[1]], p);
+        BoundaryPoint<D> point;
+        point.nodes.fill(e[1]);
+        point.nodes[0] = e[0];
+        point.weights[0] = 1 - t;
+        point.weights[1] = t;
+        point.distance = (p - a - t * along).norm();
+        return point;
+    };
+    const auto edge = [&edges = edges](std::int32_t i) -> const Edge& {
+        return edges[static_cast<std::size_t>(i)];
+    };
+    return point_on(
+        edge(tree->nearest(p, [&](std::int32_t i) { return point_on(edge(i)).distance; })));
 }
 
 template <int D>
@@ -221,7 +240,7 @@ template <int D>
 BoundaryPoint<D> BoundaryProjection<D>::project(const Vec<D>& p,
                                                 const std::vector<int>& patches) const {
     if (patches.size() > 1) {
-        const BoundaryPoint<D> point = project_on_border(p, patches);
+        const BoundaryPoint<D> point = project_on_line(p, patches);
         if (point.nodes[0].valid()) {
             return point;
         }

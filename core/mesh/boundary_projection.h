@@ -36,8 +36,11 @@ template <int D>
 class BoundaryProjection {
 public:
     explicit BoundaryProjection(const Mesh<D>& mesh);
-    /// \param faces  those to project on, ascending
-    BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces);
+    /// \param faces   those to project on, ascending
+    /// \param ridges  edges with ascending nodes that count as lines too where they are inside one
+    ///                patch; edges of no such face are left out
+    BoundaryProjection(const Mesh<D>& mesh, std::vector<FaceId> faces,
+                       const std::vector<Edge>& ridges = {});
 
     /// The nearest point on any boundary face.
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p) const;
@@ -53,15 +56,19 @@ public:
     ///              found sooner; -1: none known
     [[nodiscard]] double distance(const Vec<D>& p, int patch, std::int32_t& near) const;
 
-    /// The nearest point of the nodes (D = 2) or edges (D = 3) between the first two of `patches`;
-    /// no valid nodes where they do not meet. The nodes of an edge come first, the second one
-    /// twice.
-    [[nodiscard]] BoundaryPoint<D> project_on_border(const Vec<D>& p,
-                                                     const std::vector<int>& patches) const;
+    /// The nearest point of the nodes (D = 2) or edges (D = 3) between the first two of `patches`,
+    /// or of the ridges inside the only one; no valid nodes where there are none. The nodes of an
+    /// edge come first, the second one twice.
+    [[nodiscard]] BoundaryPoint<D> project_on_line(const Vec<D>& p,
+                                                   const std::vector<int>& patches) const;
 
 private:
     struct Part {
         std::vector<FaceId> faces;
+        std::unique_ptr<BoxTree<D>> tree;
+    };
+    struct Line {
+        std::vector<Edge> edges; ///< D = 2: nodes, twice the same
         std::unique_ptr<BoxTree<D>> tree;
     };
     [[nodiscard]] BoundaryPoint<D> project(const Vec<D>& p, const Part& part) const;
@@ -73,9 +80,8 @@ private:
     const Mesh<D>& mesh_;
     Part all_;
     std::map<int, Part> patches_;
-    /// Edges (D = 3) or nodes (D = 2, twice the same) between patches, under the pairs of patches
-    /// that meet there.
-    std::map<std::pair<int, int>, std::vector<Edge>> borders_;
+    /// Under the pairs of patches that meet there; ridges inside a patch under it and itself.
+    std::map<std::pair<int, int>, Line> lines_;
 };
 
 /// Weights of the point of a face nearest to `p`, and its distance. Well conditioned for faces of

@@ -293,7 +293,7 @@ GeometryClasses<D> classify_geometry(const Mesh<D>& mesh, const FeatureOptions& 
             outer.push_back(f);
         }
     }
-    classes.original = std::make_shared<const OriginalSurface<D>>(mesh, outer);
+    classes.original = std::make_shared<const OriginalSurface<D>>(mesh, outer, classes.ridges);
     return classes;
 }
 

@@ -10,25 +10,6 @@
 namespace ameco {
 namespace {
 
-template <int D>
-Mesh<D> faces_of(const Mesh<D>& mesh, const std::vector<FaceId>& faces) {
-    Mesh<D> boundary;
-    IdVector<NodeId, NodeId> number(mesh.points.size());
-    for (const FaceId f : faces) {
-        Facet<D> face = mesh.faces[f];
-        for (NodeId& v : face) {
-            if (!number[v].valid()) {
-                number[v] = boundary.points.next_id();
-                boundary.points.push_back(mesh.points[v]);
-            }
-            v = number[v];
-        }
-        boundary.faces.push_back(face);
-        boundary.patch.push_back(mesh.patch[f]);
-    }
-    return boundary;
-}
-
 std::vector<FaceId> all_faces(std::size_t count) {
     std::vector<FaceId> faces(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -57,8 +38,41 @@ void visit_samples(const std::array<Vec<3>, 3>& x, const auto& visit) {
 } // namespace
 
 template <int D>
-OriginalSurface<D>::OriginalSurface(const Mesh<D>& mesh, const std::vector<FaceId>& faces)
-    : boundary_(faces_of(mesh, faces)), projection_(boundary_, all_faces(faces.size())) {
+auto OriginalSurface<D>::boundary_of(const Mesh<D>& mesh, const std::vector<FaceId>& faces,
+                                     const std::vector<RidgeEdge>& ridges) -> RidgedBoundary {
+    RidgedBoundary made;
+    auto& [boundary, edges] = made;
+    IdVector<NodeId, NodeId> number(mesh.points.size());
+    for (const FaceId f : faces) {
+        Facet<D> face = mesh.faces[f];
+        for (NodeId& v : face) {
+            if (!number[v].valid()) {
+                number[v] = boundary.points.next_id();
+                boundary.points.push_back(mesh.points[v]);
+            }
+            v = number[v];
+        }
+        boundary.faces.push_back(face);
+        boundary.patch.push_back(mesh.patch[f]);
+    }
+    for (const RidgeEdge& r : ridges) { // files may list some inside the domain
+        const Edge edge{number[r.nodes[0]], number[r.nodes[1]]};
+        if (edge[0].valid() && edge[1].valid()) {
+            edges.push_back(sorted(edge));
+        }
+    }
+    return made;
+}
+
+template <int D>
+OriginalSurface<D>::OriginalSurface(const Mesh<D>& mesh, const std::vector<FaceId>& faces,
+                                    const std::vector<RidgeEdge>& ridges)
+    : OriginalSurface(boundary_of(mesh, faces, ridges)) {}
+
+template <int D>
+OriginalSurface<D>::OriginalSurface(RidgedBoundary boundary)
+    : boundary_(std::move(boundary.first)),
+      projection_(boundary_, all_faces(boundary_.faces.size()), boundary.second) {
     for (const FaceId f : boundary_.faces.ids()) {
         auto& nodes = nodes_of_[boundary_.patch[f]];
         nodes.insert(nodes.end(), boundary_.faces[f].begin(), boundary_.faces[f].end());

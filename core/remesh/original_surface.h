@@ -15,8 +15,10 @@ namespace ameco {
 template <int D>
 class OriginalSurface {
 public:
-    /// \param faces  those that bound the domain, ascending; \see outer_faces
-    OriginalSurface(const Mesh<D>& mesh, const std::vector<FaceId>& faces);
+    /// \param faces   those that bound the domain, ascending; \see outer_faces
+    /// \param ridges  lines of the boundary that are kept; those between patches are known without
+    OriginalSurface(const Mesh<D>& mesh, const std::vector<FaceId>& faces,
+                    const std::vector<RidgeEdge>& ridges = {});
     OriginalSurface(const OriginalSurface&) = delete;
     OriginalSurface& operator=(const OriginalSurface&) = delete;
 
@@ -26,6 +28,12 @@ public:
     [[nodiscard]] const std::vector<NodeId>& nodes_of(int patch) const;
 
 private:
+    /// A boundary without its elements, and ridges by the numbers of its nodes.
+    using RidgedBoundary = std::pair<Mesh<D>, std::vector<Edge>>;
+    static RidgedBoundary boundary_of(const Mesh<D>& mesh, const std::vector<FaceId>& faces,
+                                      const std::vector<RidgeEdge>& ridges);
+    explicit OriginalSurface(RidgedBoundary boundary);
+
     Mesh<D> boundary_; ///< no elements
     BoundaryProjection<D> projection_;
     std::map<int, std::vector<NodeId>> nodes_of_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
 /// Curved walls, layers inside the domain and between walls, and a sphere down to isotropy: what
-/// the coarsener reaches there, and how well it keeps the boundary; a sphere and a cylinder adapted
-/// to a metric, with and without moves of the nodes on them.
+/// the coarsener reaches there, and how well it keeps the boundary; a sphere and a cylinder, also
+/// of one patch, adapted to a metric, with and without moves of the nodes on them.
 ///
 ///     curved_bench walls inside adapt deep [frequency]
 ///
@@ -11,12 +11,14 @@
 #include "core/base/parallel.h"
 #include "core/cases/layer.h"
 #include "core/cases/shell.h"
+#include "core/geometry/distance.h"
 #include "core/metric/aspect_ratio.h"
 #include "tests/support/boundary_fit.h"
 #include "tests/support/layered_cases.h"
 
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <string>
 
 using namespace ameco;
@@ -135,21 +137,51 @@ private:
     double first_, size_;
 };
 
-/// Share of the edges of boundary faces that are in band.
-double surface_in_band(const Mesh<3>& mesh, const MetricField<3>& field) {
-    std::map<Edge, double> lengths;
+/// Share of edges that are in band; 1 of none.
+double in_band(const std::set<Edge>& edges, const Mesh<3>& mesh, const MetricField<3>& field) {
+    const auto count = std::count_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+        const auto [a, b] = edge;
+        const Vec<3> e = mesh.points[b] - mesh.points[a];
+        const double length =
+            edge_length((length_factor(field[a]) * e).norm(), (length_factor(field[b]) * e).norm());
+        return length > 1 / std::numbers::sqrt2 && length < std::numbers::sqrt2;
+    });
+    return edges.empty() ? 1 : static_cast<double>(count) / static_cast<double>(edges.size());
+}
+
+/// Those of boundary faces.
+std::set<Edge> surface_edges(const Mesh<3>& mesh) {
+    std::set<Edge> edges;
     for (const Facet<3>& f : mesh.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const NodeId a = f[i], b = f[(i + 1) % 3];
-            const Vec<3> e = mesh.points[b] - mesh.points[a];
-            lengths[sorted(Edge{a, b})] = edge_length((length_factor(field[a]) * e).norm(),
-                                                      (length_factor(field[b]) * e).norm());
+            edges.insert(sorted(Edge{f[i], f[(i + 1) % 3]}));
         }
     }
-    const auto in_band = std::count_if(lengths.begin(), lengths.end(), [](const auto& l) {
-        return l.second > 1 / std::numbers::sqrt2 && l.second < std::numbers::sqrt2;
+    return edges;
+}
+
+std::set<Edge> ridge_edges(const Mesh<3>& mesh) {
+    std::set<Edge> edges;
+    for (const RidgeEdge& r : classify_geometry(mesh).ridges) {
+        edges.insert(r.nodes);
+    }
+    return edges;
+}
+
+/// Share of the nodes of edges that lie on others, to rounding; 1 of none.
+double on_edges_of(const std::set<Edge>& edges, const Mesh<3>& mesh,
+                   const std::set<Edge>& given_edges, const Mesh<3>& given) {
+    std::set<NodeId> nodes;
+    for (const Edge& e : edges) {
+        nodes.insert(e.begin(), e.end());
+    }
+    const auto on = std::count_if(nodes.begin(), nodes.end(), [&](NodeId v) {
+        return std::any_of(given_edges.begin(), given_edges.end(), [&](const Edge& e) {
+            const Vec<3>&a = given.points[e[0]], &b = given.points[e[1]];
+            return distance(mesh.points[v], {a, b, b}) <= 1e-12;
+        });
     });
-    return static_cast<double>(in_band) / static_cast<double>(lengths.size());
+    return nodes.empty() ? 1 : static_cast<double>(on) / static_cast<double>(nodes.size());
 }
 
 /// Share of the nodes of the boundary that lie on that of another mesh, to rounding.
@@ -177,15 +209,19 @@ void adapt_one(const char* what, const Mesh<3>& mesh, const WallMetric& metric) 
         for (const auto& [patch, fit] : boundary_fit::measure(level, mesh)) {
             distance = std::max(distance, fit.over_edge);
         }
-        std::printf("%-16s %-5s %7lld %6.1f %6.1f %6.1f  %5.2f %5.2f  %.3f / %.3f  %7.4f  %9.1e  "
-                    "%9.1e %8lld %6.1f\n",
-                    what, moves ? "move" : "stay", static_cast<long long>(r.nodes_after), r.seconds,
-                    percent(r.conformity.in_band), percent(surface_in_band(made.mesh, made.metric)),
-                    r.conformity.shortest, r.conformity.longest, r.conformity.worst_quality,
-                    r.conformity.mean_quality, distance, r.check.volume / check(mesh).volume - 1,
-                    boundary_fit::area_change(made.mesh, mesh),
-                    static_cast<long long>(r.moves[Verdict::accepted]),
-                    percent(on_boundary_of(made.mesh, mesh)));
+        const std::set<Edge> ridges = ridge_edges(made.mesh);
+        std::printf(
+            "%-22s %-5s %7lld %6.1f %6.1f %6.1f %6.1f  %5.2f %5.2f  %.3f / %.3f  %7.4f  %9.1e  "
+            "%9.1e %8lld %6.1f %6.1f\n",
+            what, moves ? "move" : "stay", static_cast<long long>(r.nodes_after), r.seconds,
+            percent(r.conformity.in_band),
+            percent(in_band(surface_edges(made.mesh), made.mesh, made.metric)),
+            percent(in_band(ridges, made.mesh, made.metric)), r.conformity.shortest,
+            r.conformity.longest, r.conformity.worst_quality, r.conformity.mean_quality, distance,
+            r.check.volume / check(mesh).volume - 1, boundary_fit::area_change(made.mesh, mesh),
+            static_cast<long long>(r.moves[Verdict::accepted]),
+            percent(on_boundary_of(made.mesh, mesh)),
+            percent(on_edges_of(ridges, made.mesh, ridge_edges(mesh), mesh)));
         std::fflush(stdout);
     }
 }
@@ -193,11 +229,11 @@ void adapt_one(const char* what, const Mesh<3>& mesh, const WallMetric& metric) 
 void adapt_curved() {
     std::printf(
         "\nAdaptation on curved walls; nodes of the walls stay or move. In band: all edges, "
-        "those of the boundary [%%]; distance: largest to the boundary given, over the "
-        "edge; volume and area: relative change; on: nodes of the boundary that lie on the one "
-        "given [%%]\n"
-        "case             nodes     after      s    all  bound.     lengths      quality   "
-        "    distance    volume       area    moves     on\n");
+        "those of the boundary, of its ridges [%%]; distance: largest to the boundary given, over "
+        "the edge; volume and area: relative change; on: nodes of the boundary, of its ridges, "
+        "that lie on those given [%%]\n"
+        "case                   nodes     after      s    all  bound. ridges     lengths      "
+        "quality       distance    volume       area    moves     on  ridges\n");
     ShellOptions shell;
     shell.frequency = 8;
     shell.aspect_ratio = 10;
@@ -209,6 +245,13 @@ void adapt_curved() {
     adapt_one("sphere, layer", sphere, WallMetric(false, 0.02, 0.15));
     adapt_one("cylinder", cylinder, WallMetric(true, 0.2, 0.2));
     adapt_one("cylinder, layer", cylinder, WallMetric(true, 0.02, 0.15));
+    Mesh<3> one_patch = cylinder;
+    layered_cases::join_patches(one_patch);
+    adapt_one("one patch", one_patch, WallMetric(true, 0.2, 0.2));
+    adapt_one("one patch, layer", one_patch, WallMetric(true, 0.02, 0.15));
+    Mesh<3> coarse = layered_cases::cylinder(16, 4, growing_layers(0.1, 1.5, 0.4, 4));
+    layered_cases::join_patches(coarse);
+    adapt_one("one patch, finer", coarse, WallMetric(true, 0.15, 0.15));
 }
 
 /// Ratio of the meshes that keep every 2^(k-1)-th and every 2^k-th layer.

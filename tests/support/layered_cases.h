@@ -127,4 +127,10 @@ inline void add_sheet(Mesh<3>& mesh, int n) {
     return mesh;
 }
 
+/// Makes one patch of the whole boundary: lines between patches become ridges inside it.
+inline void join_patches(Mesh<3>& mesh) {
+    std::fill(mesh.patch.begin(), mesh.patch.end(), patch_bottom);
+    mesh.patch_names = {{patch_bottom, "wall"}};
+}
+
 } // namespace ameco::layered_cases

@@ -112,6 +112,37 @@ template <int D>
     return sum;
 }
 
+/// What is wrong with a run of an operator that adds so many nodes with every operation it makes;
+/// empty if nothing.
+/// \param run  takes the mesh and the counts, returns the number of operations made
+template <int D, class Run>
+[[nodiscard]] std::string complaint_of_run(Bench<D>& bench, int nodes_each, const Run& run) {
+    const auto before = static_cast<std::int64_t>(bench.nodes());
+    VerdictCounts verdicts;
+    const std::int64_t made = run(bench.unit, verdicts);
+    const std::int64_t added = static_cast<std::int64_t>(bench.nodes()) - before;
+    if (made <= 0 || verdicts[Verdict::accepted] != made || added != nodes_each * made) {
+        return std::to_string(made) + " made, " + std::to_string(verdicts[Verdict::accepted]) +
+               " counted, " + std::to_string(added) + " nodes added";
+    }
+    return bench.complaint();
+}
+
+/// The same, where every operation is to lower the sum of excesses.
+template <int D, class Run>
+[[nodiscard]] std::string complaint_of_excess(Bench<D>& bench, int nodes_each, const Run& run) {
+    const double before = total_excess(bench.unit);
+    std::int64_t made = 0;
+    const std::string complaint =
+        complaint_of_run(bench, nodes_each, [&](UnitMesh<D>& unit, VerdictCounts& verdicts) {
+            return made = run(unit, verdicts);
+        });
+    const double fall = before - total_excess(bench.unit);
+    return complaint.empty() && !(fall >= 0.99 * least_excess_fall * static_cast<double>(made))
+               ? "the sum fell by " + std::to_string(fall) + " only"
+               : complaint;
+}
+
 /// A mesh as it stands, with nothing known of what was tried on it.
 template <int D>
 struct Fresh {

@@ -108,6 +108,35 @@ private slots:
         QVERIFY((place(square, end) - Vec<2>(1, 1)).norm() < 1e-15);
     }
 
+    void ridges_inside_a_patch_are_lines_too() {
+        Mesh<3> mesh = shapes::cube(2);
+        for (int& patch : mesh.patch) {
+            patch = patch <= 2 ? 1 : patch; // the sides x = 0 and x = 1, which do not meet
+        }
+        std::vector<Edge> ridges;
+        const auto is_middle = [&](NodeId v) { return mesh.points[v][1] == 0.5; };
+        for (const Facet<3>& f : mesh.faces) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const NodeId a = f[i], b = f[(i + 1) % 3];
+                if (is_middle(a) && is_middle(b) && a < b) {
+                    ridges.push_back({a, b}); // also of sides z = 0 and z = 1
+                }
+            }
+        }
+        const NodeId inside(13);
+        QVERIFY(mesh.points[inside] == Vec<3>::Constant(0.5));
+        ridges.push_back(sorted(Edge{inside, ridges.front()[0]})); // of no face
+        const BoundaryProjection<3> projection(mesh, outer_faces(mesh), ridges);
+        const Vec<3> p(0.45, 0.3, 0.2);
+        const auto line = projection.project_on_line(p, {1});
+        QVERIFY((place(mesh, line) - Vec<3>(0, 0.5, 0.2)).norm() < 1e-15);
+        verify_weights(line);
+        QVERIFY(!projection.project_on_line(p, {3}).nodes[0].valid());
+        QVERIFY((place(mesh, projection.project_on_line(p, {1, 3})) - Vec<3>(0, 0, 0.2)).norm() <
+                1e-15);
+        QVERIFY(projection.project(p, {1}).distance < line.distance); // patches are faces
+    }
+
     void patches_that_do_not_meet_give_the_first_one_and_unknown_ones_any() {
         const Mesh<3> mesh = shapes::cube(2);
         const BoundaryProjection<3> projection(mesh);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/geometry_classes.h"
 
-#include "core/cases/icosphere.h"
-#include "tests/core/remesh/remesh_support.h"
+#include "tests/core/remesh/round_shapes.h"
 
 #include <QTest>
-
-#include <cmath>
-#include <numbers>
 
 using namespace ameco;
 using namespace ameco::remesh_test;
@@ -25,37 +21,6 @@ std::map<NodeClass, int> counts(const GeometryClasses<D>& classes) {
 }
 
 using Counts = std::map<NodeClass, int>;
-
-/// A ball: a node in the middle, joined to the triangles of a sphere.
-Mesh<3> ball(int frequency) {
-    const SphereSurface sphere = icosphere(frequency, 0, 0, 1);
-    Mesh<3> mesh;
-    for (const Vec<3>& x : sphere.points) {
-        mesh.points.push_back(x);
-    }
-    const NodeId centre = mesh.points.next_id();
-    mesh.points.push_back(Vec<3>::Zero());
-    for (const auto& t : sphere.triangles) {
-        mesh.elements.push_back({NodeId(t[0]), NodeId(t[2]), NodeId(t[1]), centre});
-    }
-    mesh.region.assign(mesh.elements.size(), 1);
-    shapes::add_boundary(mesh);
-    return mesh;
-}
-
-/// A regular polygon around node 0.
-Mesh<2> polygon(int n) {
-    Mesh<2> mesh;
-    mesh.points.push_back(Vec<2>::Zero());
-    for (int i = 0; i < n; ++i) {
-        const double angle = 2 * std::numbers::pi * i / n;
-        mesh.points.push_back({std::cos(angle), std::sin(angle)});
-        mesh.elements.push_back(nodes(0, i + 1, (i + 1) % n + 1));
-    }
-    mesh.region.assign(mesh.elements.size(), 1);
-    shapes::add_boundary(mesh);
-    return mesh;
-}
 
 /// Number of coordinates of a point that are 0 or 1: on a face, an edge or a corner of a cube.
 template <int D>
@@ -125,11 +90,11 @@ void GeometryClassesTest::sharp_edges_are_found_without_patches() {
 }
 
 void GeometryClassesTest::smooth_surfaces_have_no_ridges() {
-    const GeometryClasses<3> classes = classify_geometry(ball(4));
+    const GeometryClasses<3> classes = classify_geometry(ball_of(4));
     QVERIFY(classes.ridges.empty());
     QVERIFY((counts(classes) == Counts{{NodeClass::interior, 1}, {NodeClass::patch, 162}}));
     // A change of patch is a line on the smoothest surface.
-    Mesh<3> halves = ball(4);
+    Mesh<3> halves = ball_of(4);
     for (const FaceId f : halves.faces.ids()) {
         Vec<3> centre = Vec<3>::Zero();
         for (const NodeId v : halves.faces[f]) {
