@@ -128,9 +128,10 @@ Solver exact_solver(const LevelEquations& equations, std::size_t level) {
 }
 
 ConvergenceFactor two_grid(const LevelEquations& equations, std::size_t k,
-                           const CycleOptions& options, const Solver& coarse_solver) {
+                           const CycleOptions& options, const Solver& coarse_solver,
+                           StepLength step) {
     const MultigridMatrices& m = equations.matrices;
-    return convergence_factor(m.A[k], Multigrid(m, k, k + 1, options, coarse_solver));
+    return convergence_factor(m.A[k], Multigrid(m, k, k + 1, options, coarse_solver), step);
 }
 
 CycleStudy study_cycle(const LevelEquations& equations, const CycleOptions& options,

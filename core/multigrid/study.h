@@ -54,7 +54,8 @@ template <int D>
 
 /// Two-grid convergence between the levels k and k + 1 with an exact coarse solve.
 [[nodiscard]] ConvergenceFactor two_grid(const LevelEquations& equations, std::size_t k,
-                                         const CycleOptions& options, const Solver& coarse_solver);
+                                         const CycleOptions& options, const Solver& coarse_solver,
+                                         StepLength step = StepLength::full);
 
 /// The whole hierarchy with one kind of cycle.
 struct CycleStudy {

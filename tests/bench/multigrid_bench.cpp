@@ -118,9 +118,9 @@ void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t
     }
 }
 
-/// Two-grid factors of one pair with every kind of coarse matrix, the fine one rediscretised.
-/// Galerkin's is what the coarse space allows. A minus marks errors that change their sign from
-/// cycle to cycle: the coarse matrix is too soft, and the correction overshoots.
+/// Two-grid factors of one pair with every kind of coarse matrix, the fine one rediscretised:
+/// GS(1,1), the same with steps of least energy, and GS(2,2). Galerkin's is what the coarse space
+/// allows.
 template <int D>
 void print_factors(const Grids<D>& g, LevelEquations equations, const ModelProblem<D>& problem,
                    std::size_t k) {
@@ -129,23 +129,17 @@ void print_factors(const Grids<D>& g, LevelEquations equations, const ModelProbl
     const SparseMatrix& P = g.transfers[k].P;
     const Vector ratios = galerkin_ratios(fine_A, P, coarse_A);
     const std::vector<NodeId>& unknowns = equations.unknowns[k + 1];
-    const SparseMatrix& A = equations.matrices.A[k];
-    std::printf("         two-grid GS(1,1):");
+    std::printf("         two-grid GS(1,1), with steps of least energy, GS(2,2):");
     for (const CoarseOperator kind : all_coarse_operators) {
         equations.matrices.A[k + 1] = restricted(
             coarse_matrix(kind, g.meshes[k], g.meshes[k + 1], P, fine_A, coarse_A, ratios, problem),
             unknowns, unknowns);
         const Solver coarse = exact_solver(equations, k + 1);
-        const ConvergenceFactor factor = two_grid(equations, k, {}, coarse);
-        bool overshoots = false;
-        if (factor.slowest.size() > 0) {
-            Vector next = factor.slowest;
-            Multigrid(equations.matrices, k, k + 1, {}, coarse)
-                .cycle(Vector::Zero(next.size()), next);
-            overshoots = next.dot(A * factor.slowest) < 0;
-        }
-        std::printf(" %s %.3f%s", std::string(name(kind)).c_str(), factor.value,
-                    overshoots ? "-" : "");
+        const CycleOptions once, twice{{}, 2, 2};
+        std::printf("  %s %.3f %.3f %.3f", std::string(name(kind)).c_str(),
+                    two_grid(equations, k, once, coarse).value,
+                    two_grid(equations, k, once, coarse, StepLength::least_energy).value,
+                    two_grid(equations, k, twice, coarse).value);
         std::fflush(stdout);
     }
     std::printf("\n");
