@@ -30,6 +30,17 @@ Mesh<3> tall_layer(const char* aspect_ratio, const char* growth, const char* dis
                             {"displace", displace}});
 }
 
+/// Layers on a curved wall, largest aspect ratio 4e5, and all that lies between them and the
+/// isotropic far field.
+const grids::Grids<3>& ellipsoid() {
+    static const grids::Grids<3> g = grids::coarsened(
+        std::get<Mesh<3>>(make_case(
+            "shell",
+            {{"a", "3"}, {"b", "2"}, {"c", "1"}, {"aspect-ratio", "1e5"}, {"frequency", "4"}})),
+        4);
+    return g;
+}
+
 /// A regular cube and every other of its nodes.
 grids::Grids<3> every_other_node() {
     grids::Grids<3> g;
@@ -50,6 +61,7 @@ private slots:
     void cycles_do_not_feel_the_aspect_ratio();
     void cycles_converge_by_themselves_on_an_ellipsoid_data();
     void cycles_converge_by_themselves_on_an_ellipsoid();
+    void steps_of_least_energy_keep_every_pair_of_an_ellipsoid_below_three_tenths();
     void isotropic_levels_converge_no_slower_than_every_other_node_does();
     void coarse_matrices_of_all_kinds_agree_on_nested_spaces();
     void full_coarsening_by_the_same_ratio_fails();
@@ -122,21 +134,24 @@ void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid_data() {
 }
 
 void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid() {
-    // Layers on a curved wall, largest aspect ratio 4e5, and all that lies between them and the
-    // isotropic far field.
     QFETCH(CoarseOperator, kind);
-    static const grids::Grids<3> g = grids::coarsened(
-        std::get<Mesh<3>>(make_case(
-            "shell",
-            {{"a", "3"}, {"b", "2"}, {"c", "1"}, {"aspect-ratio", "1e5"}, {"frequency", "4"}})),
-        4);
-    const LevelEquations equations = poisson(g, kind);
-    const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+    const LevelEquations equations = poisson(ellipsoid(), kind);
+    const Vector load = restricted(unit_load(ellipsoid().meshes[0]), equations.unknowns[0]);
     CycleOptions options;
     options.before = options.after = 2;
     const CycleStudy study = study_cycle(equations, options, load);
     QVERIFY2(study.factor <= 0.3, qPrintable(QString::number(study.factor)));
     QVERIFY(study.krylov.iterations <= 8);
+}
+
+void ConvergenceTest::steps_of_least_energy_keep_every_pair_of_an_ellipsoid_below_three_tenths() {
+    const LevelEquations equations = poisson(ellipsoid());
+    for (std::size_t k = 0; k + 1 < ellipsoid().meshes.size(); ++k) {
+        const double factor =
+            two_grid(equations, k, {}, exact_solver(equations, k + 1), StepLength::least_energy)
+                .value;
+        QVERIFY2(factor <= 0.3, qPrintable(QString("pair %1: %2").arg(k).arg(factor)));
+    }
 }
 
 void ConvergenceTest::isotropic_levels_converge_no_slower_than_every_other_node_does() {
