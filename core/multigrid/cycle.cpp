@@ -60,7 +60,8 @@ void Multigrid::cycle(std::size_t level, const Vector& b, Vector& x) const {
     smoother.after(b, x, options_.after);
 }
 
-ConvergenceFactor convergence_factor(const SparseMatrix& A, const Multigrid& solver) {
+ConvergenceFactor convergence_factor(const SparseMatrix& A, const Multigrid& solver,
+                                     StepLength step) {
     constexpr int first = 10, last = 20;
     const Vector zero = Vector::Zero(A.rows());
     const auto energy_norm = [&](const Vector& e) { return std::sqrt(e.dot(A * e)); };
@@ -69,7 +70,14 @@ ConvergenceFactor convergence_factor(const SparseMatrix& A, const Multigrid& sol
     e /= energy_norm(e);
     double log_sum = 0;
     for (int k = 1; k <= last; ++k) {
-        solver.cycle(zero, e);
+        Vector next = e;
+        solver.cycle(zero, next);
+        if (step == StepLength::least_energy) {
+            const Vector d = next - e;
+            const Vector Ad = A * d;
+            next = e - (e.dot(Ad) / d.dot(Ad)) * d;
+        }
+        e = std::move(next);
         const double norm = energy_norm(e);
         if (!(norm > 0) || !std::isfinite(norm)) {
             result.value = norm > 0 ? norm : 0;

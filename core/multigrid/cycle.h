@@ -6,6 +6,7 @@
 #include "core/multigrid/smoother.h"
 #include "core/multigrid/sparse.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -52,14 +53,22 @@ private:
     std::vector<Smoother> smoothers_;
 };
 
-/// How fast a stationary iteration converges.
+/// How far a stand-alone cycle goes along its correction d.
+enum class StepLength : std::uint8_t {
+    full,        ///< x + d
+    least_energy ///< x + a d, a = d.r / d.Ad with r = b - A x: the error's energy norm is least,
+                 ///< and never grows; for symmetric matrices. Costs one product with A
+};
+
+/// How fast an iteration of cycles converges.
 struct ConvergenceFactor {
     double value = 0; ///< geometric mean over cycles 10 ... 20 of |e_new| / |e_old|, energy norm
     Vector slowest;   ///< the error after the last cycle: what converges slowest, energy norm 1
 };
 
 /// Runs 20 cycles on A e = 0 from a random start; the error is brought back to norm 1 after each.
-[[nodiscard]] ConvergenceFactor convergence_factor(const SparseMatrix& A, const Multigrid& solver);
+[[nodiscard]] ConvergenceFactor convergence_factor(const SparseMatrix& A, const Multigrid& solver,
+                                                   StepLength step = StepLength::full);
 
 struct KrylovResult {
     int iterations = 0;

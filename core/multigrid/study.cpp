@@ -31,6 +31,24 @@ double work_of(const LevelEquations& equations, const CycleOptions& options) {
 } // namespace
 
 template <int D>
+SparseMatrix coarse_matrix(CoarseOperator kind, const Mesh<D>& fine, const Mesh<D>& coarse,
+                           const SparseMatrix& P, const SparseMatrix& fine_A,
+                           const SparseMatrix& coarse_A, const Vector& ratios,
+                           const ModelProblem<D>& problem) {
+    switch (kind) {
+    case CoarseOperator::rediscretised:
+        break;
+    case CoarseOperator::galerkin:
+        return galerkin_product(fine_A, P);
+    case CoarseOperator::stiffened:
+        return stiffened(coarse_A, ratios);
+    case CoarseOperator::local_galerkin:
+        return local_galerkin(fine, coarse, P, ratios, problem);
+    }
+    return coarse_A;
+}
+
+template <int D>
 LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
                                const std::vector<Transfer>& transfers,
                                const ModelProblem<D>& problem, CoarseOperator kind) {
@@ -47,13 +65,8 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
         if (k > 0) {
             const Vector ratios = galerkin_ratios(finer, transfers[k - 1].P, A);
             out.ratios.push_back(as_nodal(ratios));
-            if (kind == CoarseOperator::galerkin) {
-                A = galerkin_product(finer, transfers[k - 1].P);
-            } else if (kind == CoarseOperator::stiffened) {
-                A = stiffened(A, ratios);
-            } else if (kind == CoarseOperator::local_galerkin) {
-                A = local_galerkin(meshes[k - 1], meshes[k], transfers[k - 1].P, ratios, problem);
-            }
+            A = coarse_matrix(kind, meshes[k - 1], meshes[k], transfers[k - 1].P, finer, A, ratios,
+                              problem);
         }
         if (kind == CoarseOperator::galerkin) {
             next = A;
@@ -115,9 +128,10 @@ Solver exact_solver(const LevelEquations& equations, std::size_t level) {
 }
 
 ConvergenceFactor two_grid(const LevelEquations& equations, std::size_t k,
-                           const CycleOptions& options, const Solver& coarse_solver) {
+                           const CycleOptions& options, const Solver& coarse_solver,
+                           StepLength step) {
     const MultigridMatrices& m = equations.matrices;
-    return convergence_factor(m.A[k], Multigrid(m, k, k + 1, options, coarse_solver));
+    return convergence_factor(m.A[k], Multigrid(m, k, k + 1, options, coarse_solver), step);
 }
 
 CycleStudy study_cycle(const LevelEquations& equations, const CycleOptions& options,
@@ -142,6 +156,9 @@ CycleStudy study_cycle(const LevelEquations& equations, const CycleOptions& opti
 }
 
 #define AMECO_INSTANTIATE(D)                                                                       \
+    template SparseMatrix coarse_matrix(                                                           \
+        CoarseOperator, const Mesh<D>&, const Mesh<D>&, const SparseMatrix&, const SparseMatrix&,  \
+        const SparseMatrix&, const Vector&, const ModelProblem<D>&);                               \
     template LevelEquations level_equations(const std::vector<Mesh<D>>&,                           \
                                             const std::vector<Transfer>&, const ModelProblem<D>&,  \
                                             CoarseOperator);

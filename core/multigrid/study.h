@@ -34,6 +34,17 @@ template <int D>
                                              const std::vector<Transfer>& transfers,
                                              const ModelProblem<D>& problem, CoarseOperator kind);
 
+/// The matrix of a coarse level, for all its nodes.
+///
+/// \param fine_A    of the fine level, for all its nodes
+/// \param coarse_A  the rediscretised one
+/// \param ratios    `galerkin_ratios` of these
+template <int D>
+[[nodiscard]] SparseMatrix coarse_matrix(CoarseOperator kind, const Mesh<D>& fine,
+                                         const Mesh<D>& coarse, const SparseMatrix& P,
+                                         const SparseMatrix& fine_A, const SparseMatrix& coarse_A,
+                                         const Vector& ratios, const ModelProblem<D>& problem);
+
 /// Lines of the unknowns, for the line smoother.
 [[nodiscard]] UnknownLines unknown_lines(const Lines& lines, const std::vector<NodeId>& unknowns);
 
@@ -43,7 +54,8 @@ template <int D>
 
 /// Two-grid convergence between the levels k and k + 1 with an exact coarse solve.
 [[nodiscard]] ConvergenceFactor two_grid(const LevelEquations& equations, std::size_t k,
-                                         const CycleOptions& options, const Solver& coarse_solver);
+                                         const CycleOptions& options, const Solver& coarse_solver,
+                                         StepLength step = StepLength::full);
 
 /// The whole hierarchy with one kind of cycle.
 struct CycleStudy {

@@ -3,12 +3,14 @@
 ///
 ///     multigrid_bench CASE [name=value ...] [levels=5] [dirichlet=1,2] [worst=5] [full=1]
 ///     multigrid_bench mesh=FILE [levels=5] ...
+///     multigrid_bench cube n=32 nested=1 [levels=2] ...
 ///
-/// `worst` is the number of nodes printed of the slowest error of each two-grid cycle, `full=1`
-/// adds smoothers, W-cycles and convection, `pairs=0` leaves the two-grid cycles out. `skip=2`
-/// makes cycles of every second level only; `factor` is that of the sizes from level to level. The
-/// rules of the coarsening are changed by nodes, mean, slack, dominance, passes, reach,
-/// later-reach, coupling-bound, layer-bound and direction-bound.
+/// `nested=1` makes no hierarchy but takes every other node of the cube in all directions: what an
+/// ideal isotropic coarsening reaches. `worst` is the number of nodes printed of the slowest error
+/// of each two-grid cycle, `full=1` adds smoothers, W-cycles and convection, `pairs=0` leaves the
+/// two-grid cycles out. `skip=2` makes cycles of every second level only; `factor` is that of the
+/// sizes from level to level. The rules of the coarsening are changed by nodes, mean, slack,
+/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -116,18 +118,45 @@ void print_worst(const Grids<D>& g, const LevelEquations& equations, std::size_t
     }
 }
 
+/// Two-grid factors of one pair with every kind of coarse matrix, the fine one rediscretised:
+/// GS(1,1), the same with steps of least energy, and GS(2,2). Galerkin's is what the coarse space
+/// allows.
 template <int D>
-void print_pairs(const Grids<D>& g, const LevelEquations& equations, int worst) {
-    std::printf("  invariants, and two-grid factors (rediscretised, exact coarse solve)\n");
+void print_factors(const Grids<D>& g, LevelEquations equations, const ModelProblem<D>& problem,
+                   std::size_t k) {
+    const SparseMatrix fine_A = assemble(g.meshes[k], problem);
+    const SparseMatrix coarse_A = assemble(g.meshes[k + 1], problem);
+    const SparseMatrix& P = g.transfers[k].P;
+    const Vector ratios = galerkin_ratios(fine_A, P, coarse_A);
+    const std::vector<NodeId>& unknowns = equations.unknowns[k + 1];
+    std::printf("         two-grid GS(1,1), with steps of least energy, GS(2,2):");
+    for (const CoarseOperator kind : all_coarse_operators) {
+        equations.matrices.A[k + 1] = restricted(
+            coarse_matrix(kind, g.meshes[k], g.meshes[k + 1], P, fine_A, coarse_A, ratios, problem),
+            unknowns, unknowns);
+        const Solver coarse = exact_solver(equations, k + 1);
+        const CycleOptions once, twice{{}, 2, 2};
+        std::printf("  %s %.3f %.3f %.3f", std::string(name(kind)).c_str(),
+                    two_grid(equations, k, once, coarse).value,
+                    two_grid(equations, k, once, coarse, StepLength::least_energy).value,
+                    two_grid(equations, k, twice, coarse).value);
+        std::fflush(stdout);
+    }
+    std::printf("\n");
+}
+
+template <int D>
+void print_pairs(const Grids<D>& g, const LevelEquations& equations, const ModelProblem<D>& problem,
+                 int worst) {
+    std::printf("  invariants, and two-grid factors (exact coarse solve)\n");
     for (std::size_t k = 0; k + 1 < g.meshes.size(); ++k) {
         print_invariants(g, equations, k);
-        const Solver coarse = exact_solver(equations, k + 1);
+        print_factors(g, equations, problem, k);
         CycleOptions options;
-        options.smoother.kind = SmootherKind::gauss_seidel;
-        const double gs = two_grid(equations, k, options, coarse).value;
         options.smoother.kind = SmootherKind::jacobi;
-        const ConvergenceFactor jacobi = two_grid(equations, k, options, coarse);
-        std::printf("         two-grid Jacobi(1,1) %.3f, GS(1,1) %.3f\n", jacobi.value, gs);
+        const ConvergenceFactor jacobi =
+            two_grid(equations, k, options, exact_solver(equations, k + 1));
+        std::printf("         two-grid Jacobi(1,1), rediscretised: %.3f\n", jacobi.value);
         if (worst > 0 && jacobi.value > 0.115 && jacobi.slowest.size() > 0) {
             print_worst(g, equations, k, jacobi, worst);
         }
@@ -190,22 +219,50 @@ Grids<D> every(Grids<D> g, std::size_t n) {
     return some;
 }
 
+/// Cubes of n, n/2, n/4 ... cells a side, each with every other node of the one before in all
+/// directions.
+template <int D>
+Grids<D> every_other_node(std::map<std::string, std::string> parameters, int levels) {
+    Grids<D> grids;
+    grids.meshes.push_back(std::get<Mesh<D>>(make_case("cube", parameters)));
+    parameters["displace"] = "0";
+    Mesh<D> regular = std::get<Mesh<D>>(make_case("cube", parameters));
+    int n = std::stoi(parameters.at("n"));
+    for (int k = 0; k < levels; ++k) {
+        n /= 2;
+        parameters["n"] = std::to_string(n);
+        Mesh<D> coarse = std::get<Mesh<D>>(make_case("cube", parameters));
+        const auto parent = match_nodes(regular, coarse);
+        regular = coarse;
+        const Mesh<D>& fine = grids.meshes.back();
+        for (const NodeId v : coarse.points.ids()) {
+            coarse.points[v] = fine.points[parent[v]];
+        }
+        grids.transfers.push_back(make_transfer(fine, coarse, parent));
+        std::printf("  level %d: %lld -> %lld nodes\n", k + 1,
+                    whole(static_cast<std::int64_t>(fine.points.size())),
+                    whole(static_cast<std::int64_t>(coarse.points.size())));
+        grids.meshes.push_back(std::move(coarse));
+    }
+    for (const Mesh<D>& mesh : grids.meshes) {
+        grids.structures.push_back(level_structure(mesh));
+    }
+    return grids;
+}
+
 struct RunOptions {
     int levels = 5, worst = 5;
     int skip = 1;
-    bool full = false, pairs = true;
+    bool full = false, pairs = true, nested = false;
 };
 
 template <int D>
-void run(Mesh<D> mesh, const ModelProblem<D>& problem, const RunOptions& options,
-         const CoarsenOptions& coarsening) {
-    const Grids<D> g = every(make_grids(std::move(mesh), options.levels, coarsening),
-                             static_cast<std::size_t>(options.skip));
+void run(const Grids<D>& g, const ModelProblem<D>& problem, const RunOptions& options) {
     if (options.pairs) {
         const LevelEquations equations =
             level_equations(g.meshes, g.transfers, problem, CoarseOperator::rediscretised);
         std::printf("  grid complexity %.2f\n", equations.grid_complexity);
-        print_pairs(g, equations, options.worst);
+        print_pairs(g, equations, problem, options.worst);
     }
     print_cycles(g, problem, options.full);
     if (options.full) {
@@ -253,6 +310,8 @@ int main(int argc, char** argv) {
             options.worst = std::stoi(value);
         } else if (key == "full") {
             options.full = value != "0";
+        } else if (key == "nested") {
+            options.nested = value != "0";
         } else if (key == "pairs") {
             options.pairs = value != "0";
         } else if (key == "skip") {
@@ -281,7 +340,10 @@ int main(int argc, char** argv) {
                 complete_boundary(m);
                 ModelProblem<D> problem;
                 problem.dirichlet_patches = dirichlet;
-                run(std::move(m), problem, options, coarsening);
+                run(options.nested ? every_other_node<D>(parameters, options.levels)
+                                   : every(make_grids(std::move(m), options.levels, coarsening),
+                                           static_cast<std::size_t>(options.skip)),
+                    problem, options);
             },
             mesh);
     } catch (const std::exception& e) {

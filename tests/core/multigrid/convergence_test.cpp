@@ -30,6 +30,27 @@ Mesh<3> tall_layer(const char* aspect_ratio, const char* growth, const char* dis
                             {"displace", displace}});
 }
 
+/// Layers on a curved wall, largest aspect ratio 4e5, and all that lies between them and the
+/// isotropic far field.
+const grids::Grids<3>& ellipsoid() {
+    static const grids::Grids<3> g = grids::coarsened(
+        std::get<Mesh<3>>(make_case(
+            "shell",
+            {{"a", "3"}, {"b", "2"}, {"c", "1"}, {"aspect-ratio", "1e5"}, {"frequency", "4"}})),
+        4);
+    return g;
+}
+
+/// A regular cube and every other of its nodes.
+grids::Grids<3> every_other_node() {
+    grids::Grids<3> g;
+    for (const char* n : {"12", "6"}) {
+        g.meshes.push_back(std::get<Mesh<3>>(make_case("cube", {{"n", n}, {"displace", "0"}})));
+    }
+    g.transfers.push_back(make_transfer(g.meshes[0], g.meshes[1]));
+    return g;
+}
+
 } // namespace
 
 class ConvergenceTest : public QObject {
@@ -40,6 +61,9 @@ private slots:
     void cycles_do_not_feel_the_aspect_ratio();
     void cycles_converge_by_themselves_on_an_ellipsoid_data();
     void cycles_converge_by_themselves_on_an_ellipsoid();
+    void steps_of_least_energy_keep_every_pair_of_an_ellipsoid_below_three_tenths();
+    void isotropic_levels_converge_no_slower_than_every_other_node_does();
+    void coarse_matrices_of_all_kinds_agree_on_nested_spaces();
     void full_coarsening_by_the_same_ratio_fails();
     void one_node_too_many_on_one_line_is_felt_and_found();
 };
@@ -110,21 +134,54 @@ void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid_data() {
 }
 
 void ConvergenceTest::cycles_converge_by_themselves_on_an_ellipsoid() {
-    // Layers on a curved wall, largest aspect ratio 4e5, and all that lies between them and the
-    // isotropic far field.
     QFETCH(CoarseOperator, kind);
-    static const grids::Grids<3> g = grids::coarsened(
-        std::get<Mesh<3>>(make_case(
-            "shell",
-            {{"a", "3"}, {"b", "2"}, {"c", "1"}, {"aspect-ratio", "1e5"}, {"frequency", "4"}})),
-        4);
-    const LevelEquations equations = poisson(g, kind);
-    const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
+    const LevelEquations equations = poisson(ellipsoid(), kind);
+    const Vector load = restricted(unit_load(ellipsoid().meshes[0]), equations.unknowns[0]);
     CycleOptions options;
     options.before = options.after = 2;
     const CycleStudy study = study_cycle(equations, options, load);
     QVERIFY2(study.factor <= 0.3, qPrintable(QString::number(study.factor)));
     QVERIFY(study.krylov.iterations <= 8);
+}
+
+void ConvergenceTest::steps_of_least_energy_keep_every_pair_of_an_ellipsoid_below_three_tenths() {
+    const LevelEquations equations = poisson(ellipsoid());
+    for (std::size_t k = 0; k + 1 < ellipsoid().meshes.size(); ++k) {
+        const double factor =
+            two_grid(equations, k, {}, exact_solver(equations, k + 1), StepLength::least_energy)
+                .value;
+        QVERIFY2(factor <= 0.3, qPrintable(QString("pair %1: %2").arg(k).arg(factor)));
+    }
+}
+
+void ConvergenceTest::isotropic_levels_converge_no_slower_than_every_other_node_does() {
+    // The yardstick for isotropic zones: coarsened by exactly 2 in all directions, the coarse space
+    // is part of the fine one, and even then the factor is above 0.3.
+    const double ideal =
+        two_grid_factor(poisson(every_other_node()), 0, SmootherKind::gauss_seidel);
+    QVERIFY2(ideal > 0.3 && ideal < 0.4, qPrintable(QString::number(ideal)));
+    const auto ours = grids::coarsened(
+        std::get<Mesh<3>>(make_case("cube", {{"n", "12"}, {"diagonals", "random"}})), 2);
+    const LevelEquations equations = poisson(ours);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double factor = two_grid_factor(equations, k, SmootherKind::gauss_seidel);
+        QVERIFY2(factor <= ideal + 0.02,
+                 qPrintable(QString("level %1: %2, ideal %3").arg(k).arg(factor).arg(ideal)));
+    }
+}
+
+void ConvergenceTest::coarse_matrices_of_all_kinds_agree_on_nested_spaces() {
+    const auto g = every_other_node();
+    const SparseMatrix& P = g.transfers[0].P;
+    const ModelProblem<3> problem;
+    const SparseMatrix fine_A = assemble(g.meshes[0], problem);
+    const SparseMatrix coarse_A = assemble(g.meshes[1], problem);
+    const Vector ratios = galerkin_ratios(fine_A, P, coarse_A);
+    for (const CoarseOperator kind : all_coarse_operators) {
+        const SparseMatrix A =
+            coarse_matrix(kind, g.meshes[0], g.meshes[1], P, fine_A, coarse_A, ratios, problem);
+        QVERIFY2((A - coarse_A).norm() <= 1e-12 * coarse_A.norm(), name(kind).data());
+    }
 }
 
 void ConvergenceTest::full_coarsening_by_the_same_ratio_fails() {

@@ -56,9 +56,10 @@ MultigridMatrices line(int depth, int levels) {
     return m;
 }
 
-double factor(const MultigridMatrices& m, const CycleOptions& options) {
-    return convergence_factor(m.A[0],
-                              Multigrid(m, 0, m.A.size() - 1, options, direct_solver(m.A.back())))
+double factor(const MultigridMatrices& m, const CycleOptions& options,
+              StepLength step = StepLength::full) {
+    return convergence_factor(
+               m.A[0], Multigrid(m, 0, m.A.size() - 1, options, direct_solver(m.A.back())), step)
         .value;
 }
 
@@ -69,6 +70,7 @@ class CycleTest : public QObject {
 private slots:
     void two_grid_jacobi_on_a_line_has_the_theoretical_factor();
     void a_w_cycle_is_as_good_as_two_grids();
+    void steps_of_least_energy_converge_where_full_ones_overshoot();
     void the_cycle_is_a_symmetric_preconditioner_data();
     void the_cycle_is_a_symmetric_preconditioner();
     void conjugate_gradients_solve();
@@ -90,6 +92,18 @@ void CycleTest::two_grid_jacobi_on_a_line_has_the_theoretical_factor() {
 void CycleTest::a_w_cycle_is_as_good_as_two_grids() {
     const CycleOptions w{{SmootherKind::jacobi}, 1, 1, 2};
     QVERIFY(factor(line(9, 5), w) < 0.14);
+}
+
+void CycleTest::steps_of_least_energy_converge_where_full_ones_overshoot() {
+    const CycleOptions options{{SmootherKind::jacobi}, 1, 1, 1};
+    auto m = line(7, 2);
+    QVERIFY(factor(m, options, StepLength::least_energy) <= factor(m, options));
+    m.A[1] *= 0.2; // five times too soft
+    QVERIFY(factor(m, options) > 3);
+    // The cycle's corrections are then 1 - 1/9 to 5 times what they should be: steepest descent's
+    // bound is (5 - 8/9) / (5 + 8/9).
+    const double least = factor(m, options, StepLength::least_energy);
+    QVERIFY2(least < 0.7, qPrintable(QString::number(least)));
 }
 
 void CycleTest::the_cycle_is_a_symmetric_preconditioner_data() {
