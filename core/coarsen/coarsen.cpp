@@ -88,7 +88,7 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);
-    RemovalState state(mesh.node_count());
+    RemovalState state(data.lines);
     BoundaryDistance<D> surface;
     for (int pass = 0; pass < options.passes; ++pass) {
         const double begin = static_cast<double>(pass) / options.passes;

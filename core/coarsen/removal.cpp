@@ -75,7 +75,7 @@ private:
         if (leave_along_line(v)) {
             return true;
         }
-        if ((a.valid() && b.valid()) || lines_.beside_used_gap(v) || !beside_moved_wall(v) ||
+        if ((a.valid() && b.valid()) || lines_.beside_used_gap(v) || !may_leave_late(v) ||
             !remove_off_line(v)) {
             return false;
         }
@@ -83,8 +83,8 @@ private:
         return true;
     }
 
-    /// Whether a wall has moved on which the node's line has a neighbour. Where it has not, all of
-    /// a layer can stay as well, and lines that lose their ends cost more than thin elements do.
+    /// Whether a wall has moved on which the node's line has a neighbour: it would come to lie
+    /// above the elements that the node leaves behind.
     bool beside_moved_wall(NodeId v) const {
         const auto has_moved = [&](NodeId w) {
             const auto ball = mesh_.ball(w);
@@ -94,6 +94,24 @@ private:
         };
         const NodeId a = lines_.previous[v], b = lines_.next[v];
         return (a.valid() && has_moved(a)) || (b.valid() && has_moved(b));
+    }
+
+    /// Whether rules are eased for a node of a line in later passes. Not everywhere: lines that
+    /// lose their ends cost multigrid more than thin elements do.
+    bool may_leave_late(NodeId v) const { return beside_moved_wall(v) || is_left_over(v); }
+
+    /// Whether all nodes beside it in its layer have left.
+    bool is_left_over(NodeId v) const {
+        int beside = 0;
+        for (const NodeId w : in_.couplings.neighbours[v]) {
+            if (state_.layer[w] == state_.layer[v]) {
+                if (!mesh_.is_removed(w)) {
+                    return false;
+                }
+                ++beside;
+            }
+        }
+        return beside >= D;
     }
 
     void take_off_line(NodeId v) {
@@ -195,7 +213,7 @@ private:
     }
 
     Leaving leaving(NodeId v) const {
-        const bool late = !first_pass_ && lines_.on_line(v) && beside_moved_wall(v);
+        const bool late = !first_pass_ && lines_.on_line(v) && may_leave_late(v);
         return {v, late ? static_cast<float>(options_.interpolation.late) : 1};
     }
 

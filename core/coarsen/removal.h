@@ -48,9 +48,13 @@ struct RemovalInput {
 
 /// Which nodes are gone, and how much of each node's stencil went with them.
 struct RemovalState {
-    explicit RemovalState(std::size_t nodes) : removed_coupling(nodes, 0), kept(nodes, 0) {}
+    /// \param lines  before any removal
+    explicit RemovalState(const Lines& lines)
+        : removed_coupling(lines.position.size(), 0), kept(lines.position.size(), 0),
+          layer(lines.position) {}
     IdVector<NodeId, float> removed_coupling; ///< sum of c_vw over removed neighbours w
     IdVector<NodeId, std::uint8_t> kept;      ///< looked at and kept, in the first pass
+    IdVector<NodeId, std::int32_t> layer;     ///< place on its line in the fine mesh; -1: on none
 };
 
 /// First pass: nodes in front order. On a line every odd node goes, onto a neighbour on the line.

@@ -53,9 +53,8 @@ struct InterpolationBound {
     double layer = 2;         ///< bound where one direction is coarsened [-]
     double per_direction = 1; ///< added for each further one [-]
     double isotropic = 6;     ///< added times the square of the isotropy [-]
-    double late = 1.5;        ///< times the bound: above a wall that has moved, for a node of a
-                              ///< line that stayed in the first pass, and would be left over in
-                              ///< the middle of an element [-]
+    double late = 1.5;        ///< times the bound: for a node of a line that stayed in the first
+                              ///< pass, above a wall that has moved or as the last of its layer [-]
 };
 
 /// The bound of each node.

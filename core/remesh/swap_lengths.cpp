@@ -38,9 +38,6 @@ public:
     void clear() { parts_.clear(); }
 
     void add(const EditMesh<D>& mesh, const Simplex<D>& s) {
-        if (s[D] == mesh.ghost()) {
-            return;
-        }
         const auto x = corners_of(mesh, s);
         const auto n = scaled_gradients(x);
         const double determinant = edge_determinant(x);
@@ -92,10 +89,7 @@ public:
         if (!is_within()) {
             return false;
         }
-        Verdict verdict = Verdict::cavity_too_large;
-        if (cavity_.elements.size() <= options_.largest_shell) {
-            verdict = allowed_to_leave(mesh_, a, b, cavity_);
-        }
+        Verdict verdict = may_leave(a, b);
         if (verdict == Verdict::accepted) {
             verdict = find_best(a, b);
         }
@@ -107,6 +101,15 @@ public:
     }
 
 private:
+    Verdict may_leave(NodeId a, NodeId b) const {
+        if (at_boundary(mesh_, cavity_)) {
+            return Verdict::geometry_class;
+        }
+        return cavity_.elements.size() <= options_.largest_shell
+                   ? allowed_to_leave(mesh_, a, b, cavity_)
+                   : Verdict::cavity_too_large;
+    }
+
     /// Whether all elements at the edge are, and there is room for more.
     bool is_within() const {
         return patch_.is_whole() ||
@@ -146,7 +149,7 @@ private:
         others_.clear();
         for (const ElementId e : cavity_.elements) {
             for (const NodeId v : mesh_.nodes(e)) {
-                if (v != a && v != b && v != mesh_.ghost() &&
+                if (v != a && v != b &&
                     std::find(others_.begin(), others_.end(), v) == others_.end()) {
                     others_.push_back(v);
                 }
@@ -166,7 +169,7 @@ private:
     double worst_in_cavity() {
         double worst = 1;
         for (const ElementId e : cavity_.elements) {
-            worst = mesh_.is_ghost(e) ? worst : std::min(worst, rules_.quality(e));
+            worst = std::min(worst, rules_.quality(e));
         }
         return worst;
     }
@@ -201,8 +204,7 @@ private:
             verdict = Verdict::stiff_element;
         }
         if (verdict == Verdict::accepted) {
-            verdict =
-                judge_swapped_boundary(mesh_, surface_, rules_.short_size(w), cavity_, w, star_);
+            verdict = judge_layer(mesh_, cavity_, surface_, star_);
         }
         return verdict == Verdict::accepted ? rules_.judge(cavity_, star_) : verdict;
     }
@@ -210,9 +212,6 @@ private:
     bool is_good_enough() {
         const double needed = std::min(worst_in_cavity(), options_.quality_floor);
         return std::all_of(star_.elements.begin(), star_.elements.end(), [&](const auto& e) {
-            if (e.nodes[D] == mesh_.ghost()) {
-                return true;
-            }
             const double quality = rules_.quality(e.nodes, needed);
             return quality > 0 && quality >= needed;
         });

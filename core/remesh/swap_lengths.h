@@ -24,6 +24,8 @@ struct LengthSwapOptions {
 /// that come instead have less excess (`length_excess`) together. To be called when quality is as
 /// it shall be: elements may get worse, down to the floor.
 ///
+/// Edges of the boundary stay: lengths are no reason for it to move.
+///
 /// Thin elements that such swaps leave make the coarse matrix stiff at single nodes, and point
 /// smoothers slow; this is what `stiffening` is for.
 ///

@@ -11,10 +11,19 @@ using namespace ameco;
 class DeepLevelsTest : public QObject {
     Q_OBJECT
 private slots:
+    void a_sphere_is_coarsened_until_its_surfaces_are_left_data() {
+        QTest::addColumn<int>("seed");
+        for (int seed = 1; seed <= 4; ++seed) {
+            QTest::addRow("seed %d", seed) << seed;
+        }
+    }
+
     /// Layers of aspect ratio 1e5 that grow by 1.2 halve their number six times; then the surfaces
     /// are left, and stop the coarsening.
     void a_sphere_is_coarsened_until_its_surfaces_are_left() {
+        QFETCH(int, seed);
         ShellOptions shell;
+        shell.seed = seed;
         shell.frequency = 8;
         shell.aspect_ratio = 1e5;
         const Mesh<3> finest = make_shell(shell);

@@ -10,6 +10,8 @@
 
 #include <QTest>
 
+#include <numeric>
+
 using namespace ameco;
 using namespace ameco::remesh_test;
 using shapes::nodes;
@@ -158,7 +160,7 @@ private slots:
     void excess_falls_in_displaced_boxes_and_all_else_holds_data();
     void excess_falls_in_displaced_boxes_and_all_else_holds();
     void no_elements_off_the_lines_of_a_layer_appear();
-    void required_edges_stay();
+    void the_boundary_and_required_elements_stay();
     void no_rounds_change_nothing();
 };
 
@@ -232,16 +234,26 @@ void SwapLengthsTest::no_elements_off_the_lines_of_a_layer_appear() {
     }
 }
 
-void SwapLengthsTest::required_edges_stay() {
+void SwapLengthsTest::the_boundary_and_required_elements_stay() {
     Mesh<3> mesh = displaced_cube<3>(5, 7);
-    for (int f = 0; f < static_cast<int>(mesh.faces.size()); f += 5) {
-        mesh.features.required_faces.push_back(f);
-    }
-    const auto before = places(mesh, mesh.features.required_faces);
+    mesh.features.required_elements = {11, 50, 200};
+    const auto required = [](const Mesh<3>& m) {
+        std::set<std::vector<std::array<double, 3>>> found;
+        for (const int e : m.features.required_elements) {
+            found.insert(place_of<3>(m, m.elements[ElementId(e)]));
+        }
+        return found;
+    };
+    const auto boundary = [](const Mesh<3>& m) {
+        std::vector<int> all(m.faces.size());
+        std::iota(all.begin(), all.end(), 0);
+        return places(m, all);
+    };
     Workbench<3> bench(mesh, isotropic<3>(mesh.points.size(), 0.2));
     QCOMPARE_GT(swap_and_verify(bench, no_lines(mesh.points.size())), 5);
     const Mesh<3> after = bench.edit.compact().mesh;
-    QVERIFY(places(after, after.features.required_faces) == before);
+    QVERIFY(required(after) == required(mesh));
+    QVERIFY(boundary(after) == boundary(mesh));
 }
 
 void SwapLengthsTest::no_rounds_change_nothing() {
