@@ -104,12 +104,14 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
         }
         stop_if_asked(monitor);
         const bool last = pass + 1 == options.passes;
-        MonitorPart rest(monitor, begin + 0.6 / options.passes, begin + 1.0 / options.passes);
+        const double lengths_begin = begin + (last ? 0.9 : 1.0) / options.passes;
+        MonitorPart rest(monitor, begin + 0.6 / options.passes, lengths_begin);
         swap_bad_elements(mesh, swap_input, last ? options.swaps : between, options.removal.surface,
                           report.swaps, rest);
         if (last) {
+            MonitorPart lengths(monitor, lengths_begin, 1);
             swap_lengths(mesh, swap_input, data.target, options.lengths, options.removal.surface,
-                         report.swaps);
+                         report.swaps, lengths);
         }
         surface.measure(mesh);
         report.seconds.swap += watch.lap();

@@ -2,6 +2,7 @@
 #include "core/coarsen/removal.h"
 
 #include "core/metric/edge_length.h"
+#include "core/remesh/coarsening_rules.h"
 #include "core/remesh/patch_work.h"
 
 #include <algorithm>
@@ -314,11 +315,7 @@ struct RemovalPass {
     const RemovalOptions& options;
     bool first;
 
-    void open(std::size_t lanes) {
-        mesh.open_lanes(lanes);
-        input.removed.open_lanes(lanes, mesh.slot_count());
-        input.notes.open_lanes(lanes, mesh.slot_count());
-    }
+    void open(std::size_t lanes) { open_lanes(mesh, input.removed, input.notes, lanes); }
     [[nodiscard]] static int part_of(const Partition& partition, NodeId v) {
         return partition.part[v];
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /// \file
-/// What swaps must obey while a mesh is coarsened, whatever they are made for.
+/// What swaps must obey while a mesh is coarsened, whatever they are made for, and what all edits
+/// of it keep up to date.
 #pragma once
 
 #include "core/remesh/swap_input.h"
@@ -12,6 +13,14 @@ namespace ameco {
 /// Whether all nodes of an element are on lines, but no two follow each other on one.
 template <int D>
 [[nodiscard]] bool is_lineless(const Lines& lines, const Simplex<D>& element);
+
+/// Lets as many workers edit a mesh side by side as there are lanes.
+template <int D>
+void open_lanes(EditMesh<D>& mesh, RemovedNodes<D>& removed, EditNotes& notes, std::size_t lanes) {
+    mesh.open_lanes(lanes);
+    removed.open_lanes(lanes, mesh.slot_count());
+    notes.open_lanes(lanes, mesh.slot_count());
+}
 
 /// The rules of swaps while a mesh is coarsened.
 ///

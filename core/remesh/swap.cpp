@@ -73,11 +73,7 @@ struct SwapRound {
     const SwapOptions& options;
     const SurfaceRules& surface;
 
-    void open(std::size_t lanes) {
-        mesh.open_lanes(lanes);
-        input.removed.open_lanes(lanes, mesh.slot_count());
-        input.notes.open_lanes(lanes, mesh.slot_count());
-    }
+    void open(std::size_t lanes) { open_lanes(mesh, input.removed, input.notes, lanes); }
     [[nodiscard]] int part_of(const Partition& partition, ElementId e) const {
         if (mesh.is_free(e) || mesh.is_ghost(e)) {
             return -1; // changed since it was listed

@@ -252,11 +252,7 @@ struct LengthRound {
     const LengthSwapOptions& options;
     const SurfaceRules& surface;
 
-    void open(std::size_t lanes) {
-        mesh.open_lanes(lanes);
-        input.removed.open_lanes(lanes, mesh.slot_count());
-        input.notes.open_lanes(lanes, mesh.slot_count());
-    }
+    void open(std::size_t lanes) { open_lanes(mesh, input.removed, input.notes, lanes); }
     [[nodiscard]] int part_of(const Partition& partition, const Edge& edge) const {
         const int part = partition.part[edge[0]];
         return partition.part[edge[1]] == part ? part : -1;
@@ -311,7 +307,7 @@ void swap_lengths(EditMesh<D>& mesh, const SwapInput<D>& input,
         const std::int64_t before = verdicts[Verdict::accepted];
         MonitorPart part(monitor, static_cast<double>(round) / options.rounds,
                          (round + 1.0) / options.rounds);
-        work_in_patches(edges, input.partitions, work, verdicts, "swapping", part);
+        work_in_patches(edges, input.partitions, work, verdicts, "swapping for lengths", part);
         if (verdicts[Verdict::accepted] == before) {
             break;
         }

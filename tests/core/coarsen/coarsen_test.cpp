@@ -87,6 +87,19 @@ private:
     mutable std::atomic<int> patience_; ///< threads ask too
 };
 
+/// Asks to stop as soon as a step is reported.
+class StopAt : public Monitor {
+public:
+    explicit StopAt(std::string_view step) : step_(step) {}
+    void message(Severity, std::string_view) override {}
+    void progress(double, std::string_view step) override { stop_ = stop_ || step == step_; }
+    [[nodiscard]] bool stop_requested() const override { return stop_; }
+
+private:
+    std::string_view step_;
+    std::atomic<bool> stop_ = false; ///< threads ask too
+};
+
 } // namespace
 
 class CoarsenTest : public QObject {
@@ -113,6 +126,8 @@ private slots:
     void the_boundary_is_kept_when_asked();
     void a_request_to_stop_is_answered_with_cancelled_data();
     void a_request_to_stop_is_answered_with_cancelled();
+    void each_step_can_be_stopped_data();
+    void each_step_can_be_stopped();
     void the_boundary_stays_within_its_tolerance();
     void isotropic_meshes_are_coarsened_in_all_directions();
 };
@@ -419,6 +434,22 @@ void CoarsenTest::a_request_to_stop_is_answered_with_cancelled() {
     CoarsenOptions options;
     options.nodes_per_part = static_cast<std::size_t>(nodes_per_part);
     QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, options, report, monitor));
+}
+
+void CoarsenTest::each_step_can_be_stopped_data() {
+    QTest::addColumn<std::string>("step");
+    for (const char* step :
+         {"ordering nodes", "removing nodes", "swapping", "swapping for lengths"}) {
+        QTest::newRow(step) << std::string(step);
+    }
+}
+
+void CoarsenTest::each_step_can_be_stopped() {
+    QFETCH(std::string, step);
+    const Level<3> fine = finest_level(make_layer<3>({}), {});
+    StopAt monitor(step);
+    CoarsenReport report;
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)coarsen(fine, {}, report, monitor));
 }
 
 void CoarsenTest::the_boundary_stays_within_its_tolerance() {

@@ -2,7 +2,6 @@
 #include "core/remesh/swap_lengths.h"
 
 #include "core/cases/layer.h"
-#include "core/metric/conformity.h"
 #include "core/metric/edge_length.h"
 #include "core/metric/length_excess.h"
 #include "core/remesh/coarsening_rules.h"
