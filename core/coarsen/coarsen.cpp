@@ -76,15 +76,16 @@ void edit(EditMesh<D>& mesh, LevelData<D>& data, const CoarsenOptions& options,
           CoarsenReport& report, Monitor& monitor) {
     Stopwatch watch;
     measure_size_quality(mesh, data.sizes);
-    RemovedNodes<D> removed(data.couplings,
-                            interpolation_bounds<D>(data.directions, options.removal.interpolation),
-                            data.short_size);
+    RemovedNodes<D> removed(
+        data.couplings,
+        interpolation_bounds<D>(data.couplings, data.directions, options.removal.interpolation),
+        data.short_size);
     EditNotes notes(mesh);
     const RemovalInput<D> input{
         data.front.order, data.couplings,  data.sizes, data.natural, data.target,
         data.short_size,  data.directions, removed,    notes,        data.partitions};
     const SwapInput<D> swap_input{data.sizes, data.root, data.short_size, data.lines,
-                                  removed,    notes,     data.partitions};
+                                  removed,    notes,     data.partitions, options.least_stiffness};
     SwapOptions between = options.swaps;
     between.below = std::min(0.3, options.swaps.below);
     between.rounds = std::min(2, options.swaps.rounds);

@@ -45,8 +45,10 @@ struct CoarsenOptions {
     RemovalOptions removal; ///< with the rules for the boundary, which the swaps obey too
     /// A third round would mend one element in a thousand.
     SwapOptions swaps{.rounds = 2, .below_again = 0.75};
-    int passes = 6;            ///< removal passes, >= 1; swaps come after each
-    LengthSwapOptions lengths; ///< after the last of them
+    int passes = 6;               ///< removal passes, >= 1; swaps come after each
+    LengthSwapOptions lengths;    ///< after the last of them
+    double least_stiffness = 0.4; ///< no swap may bring a node's diagonal of the Laplacian below
+                                  ///< this times that of the fine mesh [-]
     CoarseNodes nodes = CoarseNodes::nested;
     FitOptions fit;                     ///< for moved nodes
     std::size_t nodes_per_part = 32768; ///< for threads, see `part_count`; smaller parts have more

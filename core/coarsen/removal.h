@@ -18,7 +18,7 @@ struct RemovalOptions {
     QualityFloor quality;
     SurfaceRules surface;
     double reach = 0.73; ///< edges that shall go are shorter than this in the target metric [-]
-    double later_reach = 1.1;    ///< the same of edges along which nodes may leave after the first
+    double later_reach = 1.4;    ///< the same of edges along which nodes may leave after the first
                                  ///< pass, when they are crowded by another [-]
     double coupling_bound = 0.9; ///< most of a_vv that may go to removed neighbours [-], where
                                  ///< few directions are coarsened ...

@@ -4,6 +4,7 @@
 /// of it keep up to date.
 #pragma once
 
+#include "core/remesh/stiffness_diagonal.h"
 #include "core/remesh/swap_input.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ void open_lanes(EditMesh<D>& mesh, RemovedNodes<D>& removed, EditNotes& notes, s
 /// No swap may raise the number of layer elements without an edge along a line (all nodes on lines,
 /// none linked): such elements couple columns diagonally, and multigrid diverges on them. Removed
 /// nodes must stay well interpolated, and the size quality (`size_quality.h`) above a floor or not
-/// fall.
+/// fall. No node may become soft: where layers are bent by more than their height, well shaped
+/// elements can cut across them, and hardly see the short edges that the fine mesh has.
 template <int D>
 class CoarseningRules {
 public:
@@ -70,7 +72,8 @@ public:
             !in_.removed.interpolated_well(mesh_, cavity, star, {}, lane_)) {
             return Verdict::weak_coupling;
         }
-        return verdict;
+        return verdict == Verdict::accepted && softens(cavity, star) ? Verdict::soft_element
+                                                                     : verdict;
     }
 
     void make(const Cavity<D>& cavity, const Star<D>& star) {
@@ -82,6 +85,44 @@ public:
     }
 
 private:
+    /// Whether a_vv of a node falls below a share of what the fine mesh gives it.
+    bool softens(const Cavity<D>& cavity, const Star<D>& star) {
+        if (in_.least_stiffness == 0) {
+            return false;
+        }
+        before_.clear();
+        after_.clear();
+        for (const ElementId e : cavity.elements) {
+            if (!mesh_.is_ghost(e)) {
+                before_.add(mesh_, mesh_.nodes(e));
+            }
+        }
+        for (const EditElement<D>& e : star.elements) {
+            if (e.nodes[D] != mesh_.ghost()) {
+                after_.add(mesh_, e.nodes);
+            }
+        }
+        return std::any_of(after_.parts().begin(), after_.parts().end(), [&](const auto& after) {
+            const double before = before_[after.node];
+            const double least = in_.least_stiffness * in_.removed.fine_diagonal(after.node);
+            return after.sum < before && after.sum < least &&
+                   diagonal(after.node) - before + after.sum < least;
+        });
+    }
+
+    /// a_vv of the mesh as it stands.
+    double diagonal(NodeId v) const {
+        double sum = 0;
+        for (const ElementId e : mesh_.ball(v)) {
+            if (!mesh_.is_ghost(e)) {
+                const Simplex<D>& s = mesh_.nodes(e);
+                const auto i = std::find(s.begin(), s.end(), v) - s.begin();
+                sum += stiffness(mesh_, s, static_cast<int>(i));
+            }
+        }
+        return sum;
+    }
+
     int lineless(const Simplex<D>& s) const {
         return s[D] != mesh_.ghost() && is_lineless<D>(in_.lines, s) ? 1 : 0;
     }
@@ -92,6 +133,7 @@ private:
     double size_before_ = 1;
     int lineless_before_ = 0;
     std::size_t lane_; ///< of the mesh
+    StiffnessDiagonal<D> before_, after_;
 };
 
 } // namespace ameco

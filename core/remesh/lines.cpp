@@ -8,6 +8,9 @@
 namespace ameco {
 namespace {
 
+/// The nodes before and after one on a chain, in any order, the valid ones first.
+using Links = std::array<NodeId, 2>;
+
 /// Whether the first of two strongest neighbours is much farther than a third one: in the long
 /// direction of a needle, where each of many elements around an edge adds to its coupling, and
 /// diagonals with negative couplings take as much away.
@@ -24,8 +27,8 @@ bool is_longest(const Mesh<D>& mesh, std::span<const NodeId> neighbours, NodeId 
 
 /// The one or two neighbours a node wants to be linked with.
 template <int D>
-std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplings, NodeId v,
-                                   const LineOptions& options) {
+Links wanted_links(const Mesh<D>& mesh, const Couplings& couplings, NodeId v, double dominance,
+                   const LineOptions& options) {
     std::array<NodeId, 3> best;
     std::array<float, 3> c{0, 0, 0};
     const auto neighbours = couplings.neighbours[v];
@@ -45,7 +48,7 @@ std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplin
     if (!best[0].valid() || is_longest(mesh, neighbours, v, best)) {
         return {};
     }
-    const auto tau = static_cast<float>(options.dominance);
+    const auto tau = static_cast<float>(dominance);
     if (best[1].valid() && c[1] >= tau * c[2]) {
         const Vec<D> a = mesh.points[best[0]] - mesh.points[v];
         const Vec<D> b = mesh.points[best[1]] - mesh.points[v];
@@ -59,12 +62,12 @@ std::array<NodeId, 2> wanted_links(const Mesh<D>& mesh, const Couplings& couplin
     return {};
 }
 
-bool wants(const std::array<NodeId, 2>& links, NodeId v) {
+bool wants(const Links& links, NodeId v) {
     return links[0] == v || links[1] == v;
 }
 
 /// Follows the links from one end of a chain.
-std::vector<NodeId> walk(const IdVector<NodeId, std::array<NodeId, 2>>& links, NodeId end) {
+std::vector<NodeId> walk(const IdVector<NodeId, Links>& links, NodeId end) {
     std::vector<NodeId> chain{end};
     NodeId before;
     NodeId at = end;
@@ -77,6 +80,65 @@ std::vector<NodeId> walk(const IdVector<NodeId, std::array<NodeId, 2>>& links, N
         before = at;
         at = onward;
         chain.push_back(at);
+    }
+}
+
+bool is_end(const Links& links) {
+    return links[0].valid() && !links[1].valid();
+}
+
+/// The other end of the chain of each end; itself for a node without links.
+IdVector<NodeId, NodeId> other_ends(const IdVector<NodeId, Links>& links) {
+    IdVector<NodeId, NodeId> other(links.size());
+    for (const NodeId v : links.ids()) {
+        if (!links[v][0].valid()) {
+            other[v] = v;
+        } else if (is_end(links[v]) && !other[v].valid()) {
+            const NodeId end = walk(links, v).back();
+            other[v] = end;
+            other[end] = v;
+        }
+    }
+    return other;
+}
+
+/// Lengthens chains from their ends along couplings that dominate less.
+template <int D>
+void continue_chains(const Mesh<D>& mesh, const Couplings& couplings, const LineOptions& options,
+                     IdVector<NodeId, Links>& links) {
+    const auto wanted = [&](NodeId v) {
+        return wanted_links(mesh, couplings, v, options.continuation, options);
+    };
+    IdVector<NodeId, NodeId> other = other_ends(links);
+    // Both ends must want each other beside the links they have, whichever is looked at first.
+    const auto agrees = [&](NodeId v, NodeId w) {
+        const Links onward = wanted(v);
+        return !links[v][1].valid() && wants(onward, w) &&
+               (!links[v][0].valid() || wants(onward, links[v][0]));
+    };
+    const auto next_beyond = [&](NodeId end) {
+        for (const NodeId w : wanted(end)) {
+            if (w.valid() && w != links[end][0] && w != other[end] && agrees(end, w) &&
+                agrees(w, end)) {
+                return w;
+            }
+        }
+        return NodeId();
+    };
+    for (const NodeId v : mesh.points.ids()) {
+        NodeId end = v;
+        while (is_end(links[end])) {
+            const NodeId w = next_beyond(end);
+            if (!w.valid()) {
+                break;
+            }
+            const NodeId first = other[end], last = other[w];
+            links[end][1] = w;
+            links[w][links[w][0].valid() ? 1 : 0] = end;
+            other[first] = last;
+            other[last] = first;
+            end = last;
+        }
     }
 }
 
@@ -115,9 +177,9 @@ template <int D>
 Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
                  const IdVector<NodeId, double>& key, const LineOptions& options) {
     const std::size_t n = mesh.points.size();
-    IdVector<NodeId, std::array<NodeId, 2>> wanted(n), links(n);
+    IdVector<NodeId, Links> wanted(n), links(n);
     for (const NodeId v : mesh.points.ids()) {
-        wanted[v] = wanted_links(mesh, couplings, v, options);
+        wanted[v] = wanted_links(mesh, couplings, v, options.dominance, options);
     }
     for (const NodeId v : mesh.points.ids()) {
         std::size_t k = 0;
@@ -127,14 +189,14 @@ Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
             }
         }
     }
+    continue_chains(mesh, couplings, options, links);
     Lines lines;
     lines.previous.resize(n);
     lines.next.resize(n);
     lines.position.assign(n, -1);
     lines.gap_used.assign(n, 0);
     for (const NodeId v : mesh.points.ids()) {
-        const bool is_end = links[v][0].valid() && !links[v][1].valid();
-        if (!is_end || lines.position[v] >= 0) {
+        if (!is_end(links[v]) || lines.position[v] >= 0) {
             continue; // closed chains have no end, and stay off the lines
         }
         std::vector<NodeId> chain = walk(links, v);

@@ -38,6 +38,7 @@ struct Lines {
 
 struct LineOptions {
     double dominance = 2;         ///< strong coupling over the next weaker one [-], >= 1
+    double continuation = 1.4;    ///< the same beyond an end of a line found so [-], >= 1
     double largest_cosine = -0.3; ///< of the angle between the two strong edges at a node
 };
 
@@ -45,6 +46,10 @@ struct LineOptions {
 /// opposite directions and exceed the third `dominance` times, an end if only its strongest exceeds
 /// the second; links must be mutual. Where a third neighbour is much nearer than the strongest one
 /// there is no line: lines follow the short edges.
+///
+/// From its ends a line goes on along weaker couplings, `continuation` instead of `dominance`, and
+/// may join another one: where layers are bent or oblique, columns side by side would end in
+/// different layers, and then lose the nodes of different ones.
 /// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller;
 ///             lines between two walls from the lower end along the axis they follow most
 template <int D>

@@ -72,14 +72,20 @@ IdVector<NodeId, float> coarsened_directions(const MetricField<D>& natural,
 }
 
 template <int D>
-IdVector<NodeId, float> interpolation_bounds(const IdVector<NodeId, float>& directions,
+IdVector<NodeId, float> interpolation_bounds(const Couplings& couplings,
+                                             const IdVector<NodeId, float>& directions,
                                              const InterpolationBound& bound) {
+    constexpr float strong = 0.4f; // of a_vv
     IdVector<NodeId, float> bounds(directions.size());
     for (const NodeId v : directions.ids()) {
         const double further = std::max(static_cast<double>(directions[v]) - 1, 0.0);
         const double t = isotropy<D>(directions[v]);
+        const auto values = couplings.at(v);
+        const float strongest =
+            values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+        const bool held = strongest > strong * couplings.diagonal[v];
         bounds[v] = static_cast<float>(bound.layer + bound.per_direction * further +
-                                       bound.isotropic * t * t);
+                                       bound.isotropic * t * t - (held ? bound.held : 0));
     }
     return bounds;
 }
@@ -185,8 +191,8 @@ double RemovedNodes<D>::conductance_limit(const EditMesh<D>& mesh, NodeId v, Nod
 #define AMECO_INSTANTIATE(D)                                                                       \
     template IdVector<NodeId, float> coarsened_directions(const MetricField<D>&,                   \
                                                           const MetricField<D>&);                  \
-    template IdVector<NodeId, float> interpolation_bounds<D>(const IdVector<NodeId, float>&,       \
-                                                             const InterpolationBound&);           \
+    template IdVector<NodeId, float> interpolation_bounds<D>(                                      \
+        const Couplings&, const IdVector<NodeId, float>&, const InterpolationBound&);              \
     template class RemovedNodes<D>;
 
 AMECO_INSTANTIATE(2)

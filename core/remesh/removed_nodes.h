@@ -53,14 +53,19 @@ struct InterpolationBound {
     double layer = 2;         ///< bound where one direction is coarsened [-]
     double per_direction = 1; ///< added for each further one [-]
     double isotropic = 6;     ///< added times the square of the isotropy [-]
+    double held = 0.5;        ///< taken off where one neighbour has 40 % of a node's coupling or
+                              ///< more: such nodes must be interpolated along it [-]
     double late = 1.5;        ///< times the bound: for a node of a line that stayed in the first
                               ///< pass, above a wall that has moved or as the last of its layer [-]
 };
 
 /// The bound of each node.
+/// \param couplings   of the mesh before any removal
+/// \param directions  `coarsened_directions`
 template <int D>
 [[nodiscard]] IdVector<NodeId, float>
-interpolation_bounds(const IdVector<NodeId, float>& directions, const InterpolationBound& bound);
+interpolation_bounds(const Couplings& couplings, const IdVector<NodeId, float>& directions,
+                     const InterpolationBound& bound);
 
 /// A node that is to leave, and by which factor its interpolation constant may exceed its bound.
 struct Leaving {
@@ -105,6 +110,11 @@ public:
     /// Lets as many threads work at a time, on the same terms as EditMesh::open_lanes.
     /// \param slots  of the mesh; no more while several lanes are open
     void open_lanes(std::size_t count, std::size_t slots);
+
+    /// The Laplacian's a_vv in the mesh before any removal [L^(D-2)].
+    [[nodiscard]] double fine_diagonal(NodeId v) const {
+        return static_cast<double>(couplings_.diagonal[v]);
+    }
 
     /// Interpolation constant of a removed node inside the domain, where it is now; 0 of others.
     [[nodiscard]] double constant(NodeId v) const { return static_cast<double>(constant_[v]); }

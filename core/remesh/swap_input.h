@@ -21,6 +21,7 @@ struct SwapInput {
     RemovedNodes<D>& removed;
     EditNotes& notes;                        ///< kept up to date
     std::span<const Partition> partitions{}; ///< for threads; none: the whole mesh in order
+    double least_stiffness = 0; ///< no swap may bring a_vv below this times the fine mesh's [-]
 };
 
 } // namespace ameco

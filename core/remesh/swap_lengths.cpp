@@ -2,12 +2,12 @@
 #include "core/remesh/swap_lengths.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/barycentric.h"
 #include "core/metric/edge_length.h"
 #include "core/metric/length_excess.h"
 #include "core/remesh/coarsening_rules.h"
 #include "core/remesh/edge_shell.h"
 #include "core/remesh/patch_work.h"
+#include "core/remesh/stiffness_diagonal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,45 +29,6 @@ double excess_of(const EditMesh<D>& mesh, const IdVector<NodeId, Mat<D>>& target
     }
     return length_excess(edge_length(std::sqrt(from_a), std::sqrt(from_b)));
 }
-
-/// What elements add to the diagonal of the stiffness matrix at each of their nodes, up to a
-/// factor.
-template <int D>
-class StiffnessDiagonal {
-public:
-    void clear() { parts_.clear(); }
-
-    void add(const EditMesh<D>& mesh, const Simplex<D>& s) {
-        const auto x = corners_of(mesh, s);
-        const auto n = scaled_gradients(x);
-        const double determinant = edge_determinant(x);
-        for (int i = 0; i <= D; ++i) {
-            at(s[i]) += n[i].squaredNorm() / determinant;
-        }
-    }
-
-    /// Whether no node has more than a factor times what it has in another one of the same nodes.
-    [[nodiscard]] bool within(double factor, const StiffnessDiagonal& before) const {
-        return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-            const auto old = std::find_if(before.parts_.begin(), before.parts_.end(),
-                                          [&](const Part& p) { return p.node == part.node; });
-            return old != before.parts_.end() && part.sum <= factor * old->sum;
-        });
-    }
-
-private:
-    struct Part {
-        NodeId node;
-        double sum;
-    };
-    double& at(NodeId v) {
-        const auto known = std::find_if(parts_.begin(), parts_.end(),
-                                        [&](const Part& part) { return part.node == v; });
-        return known != parts_.end() ? known->sum : parts_.emplace_back(Part{v, 0}).sum;
-    }
-
-    std::vector<Part> parts_; ///< few
-};
 
 /// Swaps edges within a patch.
 template <int D>

@@ -27,10 +27,11 @@ enum class Verdict : std::uint8_t {
     region_border,    ///< elements of several regions, or a face inside the domain
     short_edge,       ///< a split would leave an edge that is too short
     long_edge,        ///< a collapse would leave an edge that is too long
-    stiff_element     ///< a swap would leave the coarse matrix stiff at a node
+    stiff_element,    ///< a swap would leave the coarse matrix stiff at a node
+    soft_element      ///< a swap would leave the coarse matrix soft at a node
 };
 
-inline constexpr std::size_t verdict_count = 18;
+inline constexpr std::size_t verdict_count = 19;
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 

@@ -10,7 +10,8 @@
 /// of each two-grid cycle, `full=1` adds smoothers, W-cycles and convection, `pairs=0` leaves the
 /// two-grid cycles out. `skip=2` makes cycles of every second level only; `factor` is that of the
 /// sizes from level to level. The rules of the coarsening are changed by nodes, mean, slack,
-/// dominance, passes, reach, later-reach, coupling-bound, layer-bound and direction-bound.
+/// dominance, continuation, passes, reach, later-reach, coupling-bound, layer-bound,
+/// direction-bound, held and least-stiffness.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -285,6 +286,9 @@ int main(int argc, char** argv) {
         {"factor", &coarsening.target.factor},
         {"slack", &coarsening.target.slack},
         {"dominance", &coarsening.lines.dominance},
+        {"continuation", &coarsening.lines.continuation},
+        {"least-stiffness", &coarsening.least_stiffness},
+        {"held", &coarsening.removal.interpolation.held},
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},

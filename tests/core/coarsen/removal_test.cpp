@@ -22,7 +22,7 @@ struct Setting {
           lines(find_lines(m, couplings, front.key)), lines_before(lines),
           target(target_metric(m, natural)), edited(m, classify_geometry(m)),
           directions(coarsened_directions(natural, target)),
-          removed(couplings, interpolation_bounds<D>(directions, {})), state(lines) {
+          removed(couplings, interpolation_bounds<D>(couplings, directions, {})), state(lines) {
         sizes = make_size_field(target);
         for (const NodeId v : m.points.ids()) {
             natural_factor.push_back(length_factor(natural[v]));

@@ -71,6 +71,8 @@ private slots:
     void isotropic_meshes_have_hardly_any_lines();
     void lines_between_two_walls_start_on_the_same_side();
     void lines_end_where_the_layer_does();
+    void lines_go_on_beyond_their_ends_where_couplings_dominate_less();
+    void weaker_couplings_alone_make_no_lines();
     void no_line_goes_along_a_needle();
     void does_not_depend_on_the_numbering();
     void removal_joins_two_gaps_and_marks_the_new_one();
@@ -138,6 +140,34 @@ void LinesTest::lines_end_where_the_layer_does() {
     }
     QCOMPARE_GE(top, 3);
     QCOMPARE_LE(top, 5);
+}
+
+/// Cells 1/8 wide, `low` of a quarter of that and then `high` that are 0.77 times as high as wide:
+/// there couplings upwards are 1.7 times those to the sides.
+Mesh<2> fading_layer(int low, int high) {
+    std::vector<double> heights{0};
+    for (int k = 0; k < low + high; ++k) {
+        heights.push_back(heights.back() + (k < low ? 0.25 : 0.77) / 8);
+    }
+    return shapes::rectangle(shapes::uniform(8), heights);
+}
+
+void LinesTest::lines_go_on_beyond_their_ends_where_couplings_dominate_less() {
+    const Mesh<2> mesh = fading_layer(6, 5);
+    const auto nodes_above = [&](const LineOptions& options) {
+        const Lines lines = lines_of(mesh, options);
+        int count = 0;
+        for (NodeId v(4); lines.next[v].valid(); v = lines.next[v]) { // from the middle of the wall
+            ++count;
+        }
+        return count;
+    };
+    QCOMPARE_LE(nodes_above({.dominance = 2, .continuation = 2}), 7);
+    QCOMPARE(nodes_above({.dominance = 2, .continuation = 1.4}), 11);
+}
+
+void LinesTest::weaker_couplings_alone_make_no_lines() {
+    QCOMPARE(lines_of(fading_layer(0, 8)).count, 0);
 }
 
 void LinesTest::no_line_goes_along_a_needle() {

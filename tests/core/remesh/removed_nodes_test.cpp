@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/removed_nodes.h"
 
+#include "core/cases/cube.h"
 #include "core/coarsen/coarsen.h"
 #include "core/multigrid/invariants.h"
 #include "core/remesh/collapse.h"
@@ -60,6 +61,7 @@ private slots:
     void every_removed_node_stays_well_interpolated_data();
     void every_removed_node_stays_well_interpolated();
     void the_bound_grows_with_the_directions_that_are_coarsened();
+    void the_bound_is_lower_where_one_neighbour_holds_a_node();
 };
 
 void RemovedNodesTest::the_middle_of_a_line_has_constant_one() {
@@ -126,6 +128,7 @@ void RemovedNodesTest::every_removed_node_stays_well_interpolated() {
     const Transfer transfer = make_transfer(fine.mesh, coarse.mesh, coarse.parent);
     const LevelStructure structure = level_structure(fine.mesh);
     const auto bounds = interpolation_bounds<3>(
+        structure.couplings,
         coarsened_directions(fine.natural, target_metric(fine.mesh, fine.natural, options.target)),
         options.removal.interpolation);
     int looked_at = 0;
@@ -144,17 +147,33 @@ void RemovedNodesTest::every_removed_node_stays_well_interpolated() {
 }
 
 void RemovedNodesTest::the_bound_grows_with_the_directions_that_are_coarsened() {
-    MetricField<3> natural(1), target(1);
-    natural[NodeId(0)].sizes = {1, 1, 1};
+    const Couplings couplings = make_couplings(make_cube<3>({.n = 2}));
+    const NodeId middle(13);
+    MetricField<3> natural(27), target(27);
+    natural[middle].sizes = {1, 1, 1};
     const auto bound = [&](double a, double b, double c) {
-        target[NodeId(0)].sizes = {a, b, c};
-        return interpolation_bounds<3>(coarsened_directions(natural, target),
-                                       {5, 6, 20})[NodeId(0)];
+        target[middle].sizes = {a, b, c};
+        return interpolation_bounds<3>(couplings, coarsened_directions(natural, target),
+                                       {5, 6, 20})[middle];
     };
     QCOMPARE(bound(1, 1, 1), 5.0f);
     QCOMPARE(bound(2, 1, 1), 5.0f);
     QCOMPARE(bound(2, 2, 1), 16.0f);
     QCOMPARE(bound(2, 2, 2), 37.0f);
+}
+
+void RemovedNodesTest::the_bound_is_lower_where_one_neighbour_holds_a_node() {
+    const auto bound_in_the_middle = [](double aspect_ratio) {
+        const Mesh<3> mesh = grids::layer<3>({{"nx", "2"},
+                                              {"ny", "2"},
+                                              {"nz", "2"},
+                                              {"aspect-ratio", std::to_string(aspect_ratio)}});
+        const IdVector<NodeId, float> directions(mesh.points.size(), 1.0f);
+        return interpolation_bounds<3>(make_couplings(mesh), directions,
+                                       {.layer = 2, .held = 0.5})[NodeId(13)];
+    };
+    QCOMPARE(bound_in_the_middle(1), 2.0f);
+    QCOMPARE(bound_in_the_middle(100), 1.5f);
 }
 
 QTEST_APPLESS_MAIN(RemovedNodesTest)

@@ -126,6 +126,8 @@ private slots:
     void leaves_region_borders();
     void leaves_listed_edges_inside_the_domain();
     void tries_an_element_again_only_when_one_beside_it_has_changed();
+    void no_node_becomes_soft_data();
+    void no_node_becomes_soft();
     void does_nothing_to_a_good_mesh();
     void names_elements_off_the_lines();
 };
@@ -286,6 +288,45 @@ void SwapTest::leaves_listed_edges_inside_the_domain() {
     QCOMPARE_GE(swap_and_verify(listed, no_lines(7)), 0);
     QVERIFY(linked(listed.edit));
     QCOMPARE(listed.edit.compact().mesh.features.edges.size(), std::size_t{1});
+}
+
+void SwapTest::no_node_becomes_soft_data() {
+    QTest::addColumn<unsigned>("seed");
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        QTest::addRow("seed %u", seed) << seed;
+    }
+}
+
+void SwapTest::no_node_becomes_soft() {
+    QFETCH(unsigned, seed);
+    const Mesh<3> mesh = displaced_cube<3>(5, seed);
+    const std::size_t n = mesh.points.size();
+    const Couplings couplings = make_couplings(mesh);
+    // Least a_vv after swaps over that before them, of all nodes.
+    const auto softest = [&](double least) {
+        Workbench<3> bench(mesh, isotropic<3>(n, 0.2));
+        RemovedNodes<3> removed(couplings, IdVector<NodeId, float>(n, 0.0F));
+        const Lines lines = no_lines(n);
+        VerdictCounts verdicts;
+        swap_bad_elements<3>(
+            bench.edit,
+            {bench.sizes, bench.root, bench.short_size, lines, removed, bench.notes, {}, least},
+            {.below = 0.9, .size_floor = 0}, plane_sides, verdicts);
+        const Couplings after = make_couplings(bench.edit.compact().mesh);
+        double least_share = 1;
+        for (const NodeId v : mesh.points.ids()) { // none is removed: they keep their numbers
+            const float share = after.diagonal[v] / couplings.diagonal[v];
+            least_share = std::min(least_share, static_cast<double>(share));
+        }
+        return std::pair(least_share, verdicts);
+    };
+    const auto [free, free_verdicts] = softest(0);
+    QCOMPARE_LT(free, 0.7);
+    QCOMPARE(free_verdicts[Verdict::soft_element], 0);
+    const auto [held, held_verdicts] = softest(0.7);
+    QCOMPARE_GE(held, 0.7 - 1e-6);
+    QCOMPARE_GT(held_verdicts[Verdict::soft_element], 0);
+    QCOMPARE_GT(held_verdicts[Verdict::accepted], 10);
 }
 
 void SwapTest::tries_an_element_again_only_when_one_beside_it_has_changed() {

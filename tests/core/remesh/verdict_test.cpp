@@ -18,7 +18,7 @@ private slots:
 };
 
 void VerdictTest::every_verdict_has_a_name_of_its_own() {
-    QCOMPARE(static_cast<std::size_t>(Verdict::stiff_element) + 1, verdict_count);
+    QCOMPARE(static_cast<std::size_t>(Verdict::soft_element) + 1, verdict_count);
     std::set<std::string> names;
     for (std::size_t i = 0; i < verdict_count; ++i) {
         const std::string text(name(static_cast<Verdict>(i)));
