@@ -163,7 +163,8 @@ private:
             level_equations(grids.meshes, grids.transfers, problem<D>(), coarse_operator());
         for (std::size_t k = 0; k < grids.meshes.size(); ++k) {
             equations.matrices.lines.push_back(
-                unknown_lines(grids.structures[k].lines, equations.unknowns[k]));
+                unknown_lines(smoother_lines(grids.meshes[k], grids.structures[k].couplings),
+                              equations.unknowns[k]));
         }
         Json pairs = Json::array();
         for (std::size_t k = 0; k + 1 < grids.meshes.size(); ++k) {

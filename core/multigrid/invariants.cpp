@@ -75,6 +75,14 @@ LevelStructure level_structure(const Mesh<D>& mesh, const LineOptions& options) 
     return structure;
 }
 
+template <int D>
+Lines smoother_lines(const Mesh<D>& mesh, const Couplings& couplings) {
+    LineOptions options;
+    options.continuation = options.dominance;
+    const IdVector<NodeId, double> key(mesh.points.size(), 0.0);
+    return find_lines(mesh, couplings, key, options);
+}
+
 double interpolated_coupling(const Couplings& couplings, const Transfer& transfer, NodeId v) {
     if (transfer.kind[v] == TransferKind::nested) {
         return 1;
@@ -187,6 +195,7 @@ PairInvariants<D> pair_invariants(const Mesh<D>& fine, const LevelStructure& fin
 
 #define AMECO_INSTANTIATE(D)                                                                       \
     template LevelStructure level_structure(const Mesh<D>&, const LineOptions&);                   \
+    template Lines smoother_lines(const Mesh<D>&, const Couplings&);                               \
     template PairInvariants<D> pair_invariants(                                                    \
         const Mesh<D>&, const LevelStructure&, const Mesh<D>&, const LevelStructure&,              \
         const Transfer&, const Vector&, const std::vector<NodeId>&);
