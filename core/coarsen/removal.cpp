@@ -215,10 +215,8 @@ private:
 
     Leaving leaving(NodeId v) const {
         const bool late = !first_pass_ && lines_.on_line(v) && may_leave_late(v);
-        // Nodes of lines are held by one neighbour: what that takes off the bound is given back.
         const InterpolationBound& bound = options_.interpolation;
-        const double slack = late ? bound.late * bound.layer / (bound.layer - bound.held) : 1;
-        return {v, static_cast<float>(slack)};
+        return {v, late ? bound.late * interpolation_bound<D>(in_.directions[v], bound) : 0};
     }
 
     void commit(NodeId v, NodeId w) {

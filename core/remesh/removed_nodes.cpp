@@ -72,20 +72,25 @@ IdVector<NodeId, float> coarsened_directions(const MetricField<D>& natural,
 }
 
 template <int D>
+double interpolation_bound(float directions, const InterpolationBound& bound) {
+    const double further = std::max(static_cast<double>(directions) - 1, 0.0);
+    const double t = isotropy<D>(directions);
+    return bound.layer + bound.per_direction * further + bound.isotropic * t * t;
+}
+
+template <int D>
 IdVector<NodeId, float> interpolation_bounds(const Couplings& couplings,
                                              const IdVector<NodeId, float>& directions,
                                              const InterpolationBound& bound) {
     constexpr float strong = 0.4f; // of a_vv
     IdVector<NodeId, float> bounds(directions.size());
     for (const NodeId v : directions.ids()) {
-        const double further = std::max(static_cast<double>(directions[v]) - 1, 0.0);
-        const double t = isotropy<D>(directions[v]);
         const auto values = couplings.at(v);
         const float strongest =
             values.empty() ? 0 : *std::max_element(values.begin(), values.end());
         const bool held = strongest > strong * couplings.diagonal[v];
-        bounds[v] = static_cast<float>(bound.layer + bound.per_direction * further +
-                                       bound.isotropic * t * t - (held ? bound.held : 0));
+        bounds[v] = static_cast<float>(interpolation_bound<D>(directions[v], bound) -
+                                       (held ? bound.held : 0));
     }
     return bounds;
 }
@@ -103,8 +108,8 @@ bool RemovedNodes<D>::interpolated_well(const EditMesh<D>& mesh, const Cavity<D>
     places.clear();
     const auto add = [&](NodeId v) {
         places.push_back(locate(mesh, star, v));
-        const float most =
-            v == leaving.node ? leaving.slack * bounds_[v] : std::max(bounds_[v], constant_[v]);
+        const float more = v == leaving.node ? static_cast<float>(leaving.most) : constant_[v];
+        const float most = std::max(bounds_[v], more);
         return places.back().constant <= most;
     };
     if (leaving.node.valid() && !mesh.on_boundary(leaving.node) && !add(leaving.node)) {
@@ -191,6 +196,7 @@ double RemovedNodes<D>::conductance_limit(const EditMesh<D>& mesh, NodeId v, Nod
 #define AMECO_INSTANTIATE(D)                                                                       \
     template IdVector<NodeId, float> coarsened_directions(const MetricField<D>&,                   \
                                                           const MetricField<D>&);                  \
+    template double interpolation_bound<D>(float, const InterpolationBound&);                      \
     template IdVector<NodeId, float> interpolation_bounds<D>(                                      \
         const Couplings&, const IdVector<NodeId, float>&, const InterpolationBound&);              \
     template class RemovedNodes<D>;

@@ -55,9 +55,15 @@ struct InterpolationBound {
     double isotropic = 6;     ///< added times the square of the isotropy [-]
     double held = 0.5;        ///< taken off where one neighbour has 40 % of a node's coupling or
                               ///< more: such nodes must be interpolated along it [-]
-    double late = 1.5;        ///< times the bound: for a node of a line that stayed in the first
-                              ///< pass, above a wall that has moved or as the last of its layer [-]
+    double late = 1.5;        ///< times the bound without `held`: for a node of a line that stayed
+                              ///< in the first pass, above a wall that has moved or as the last of
+                              ///< its layer [-]
 };
+
+/// The bound of a node that no single neighbour holds.
+/// \param directions  its entry of `coarsened_directions`
+template <int D>
+[[nodiscard]] double interpolation_bound(float directions, const InterpolationBound& bound);
 
 /// The bound of each node.
 /// \param couplings   of the mesh before any removal
@@ -67,10 +73,11 @@ template <int D>
 interpolation_bounds(const Couplings& couplings, const IdVector<NodeId, float>& directions,
                      const InterpolationBound& bound);
 
-/// A node that is to leave, and by which factor its interpolation constant may exceed its bound.
+/// A node that is to leave, and what its interpolation constant may be if that is more than its
+/// bound.
 struct Leaving {
     NodeId node;
-    float slack = 1;
+    double most = 0;
 };
 
 /// The removed nodes, each in the element that holds it, carried along as the mesh is edited.
