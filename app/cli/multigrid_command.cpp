@@ -162,9 +162,8 @@ private:
         LevelEquations equations =
             level_equations(grids.meshes, grids.transfers, problem<D>(), coarse_operator());
         for (std::size_t k = 0; k < grids.meshes.size(); ++k) {
-            equations.matrices.lines.push_back(
-                unknown_lines(smoother_lines(grids.meshes[k], grids.structures[k].couplings),
-                              equations.unknowns[k]));
+            equations.matrices.lines.push_back(smoother_lines(
+                grids.meshes[k], grids.structures[k].couplings, equations.unknowns[k]));
         }
         Json pairs = Json::array();
         for (std::size_t k = 0; k + 1 < grids.meshes.size(); ++k) {

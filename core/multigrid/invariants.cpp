@@ -10,7 +10,7 @@ namespace ameco {
 namespace {
 
 constexpr double ff_bound = 0.9;
-constexpr double interpolation_bound = 5;
+constexpr double largest_interpolation = 5;
 constexpr double galerkin_bound = 2;
 
 template <int D>
@@ -73,14 +73,6 @@ LevelStructure level_structure(const Mesh<D>& mesh, const LineOptions& options) 
     const IdVector<NodeId, double> key(mesh.points.size(), 0.0);
     structure.lines = find_lines(mesh, structure.couplings, key, options);
     return structure;
-}
-
-template <int D>
-Lines smoother_lines(const Mesh<D>& mesh, const Couplings& couplings) {
-    LineOptions options;
-    options.continuation = options.dominance;
-    const IdVector<NodeId, double> key(mesh.points.size(), 0.0);
-    return find_lines(mesh, couplings, key, options);
 }
 
 double interpolated_coupling(const Couplings& couplings, const Transfer& transfer, NodeId v) {
@@ -176,7 +168,7 @@ PairInvariants<D> pair_invariants(const Mesh<D>& fine, const LevelStructure& fin
     for (const NodeId v : fine.points.ids()) {
         if (!kept[v].valid() && patches[v].empty()) {
             const double K = interpolation_constant(fine_structure.couplings, transfer, v);
-            out.interpolation_exceeded += K > interpolation_bound ? 1 : 0;
+            out.interpolation_exceeded += K > largest_interpolation ? 1 : 0;
             raise(out.interpolation, K, v, fine);
         }
         if (!kept[v].valid()) {
@@ -195,7 +187,6 @@ PairInvariants<D> pair_invariants(const Mesh<D>& fine, const LevelStructure& fin
 
 #define AMECO_INSTANTIATE(D)                                                                       \
     template LevelStructure level_structure(const Mesh<D>&, const LineOptions&);                   \
-    template Lines smoother_lines(const Mesh<D>&, const Couplings&);                               \
     template PairInvariants<D> pair_invariants(                                                    \
         const Mesh<D>&, const LevelStructure&, const Mesh<D>&, const LevelStructure&,              \
         const Transfer&, const Vector&, const std::vector<NodeId>&);

@@ -60,11 +60,6 @@ struct LevelStructure {
 template <int D>
 [[nodiscard]] LevelStructure level_structure(const Mesh<D>& mesh, const LineOptions& options = {});
 
-/// Lines for the line smoother: without what goes on beyond their ends along weaker couplings. With
-/// that, its blocks diverge by themselves where columns are oblique.
-template <int D>
-[[nodiscard]] Lines smoother_lines(const Mesh<D>& mesh, const Couplings& couplings);
-
 /// How well a removed node is held by what it is interpolated from: the sum of c_vw over those
 /// coarse nodes, over a_vv. Near 1 in layers; 0 means that
 /// it is interpolated from nodes it is not coupled with at all. 1 for nodes that were kept.

@@ -87,7 +87,14 @@ LevelEquations level_equations(const std::vector<Mesh<D>>& meshes,
     return out;
 }
 
-UnknownLines unknown_lines(const Lines& lines, const std::vector<NodeId>& unknowns) {
+template <int D>
+UnknownLines smoother_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                            const std::vector<NodeId>& unknowns) {
+    LineOptions options;
+    options.continuation = options.dominance;
+    // Which end a line is numbered from does not matter here.
+    const IdVector<NodeId, double> key(mesh.points.size(), 0.0);
+    const Lines lines = find_lines(mesh, couplings, key, options);
     std::vector<int> unknown_of(lines.position.size(), -1);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
         unknown_of[unknowns[i].index()] = static_cast<int>(i);
@@ -161,7 +168,9 @@ CycleStudy study_cycle(const LevelEquations& equations, const CycleOptions& opti
         const SparseMatrix&, const Vector&, const ModelProblem<D>&);                               \
     template LevelEquations level_equations(const std::vector<Mesh<D>>&,                           \
                                             const std::vector<Transfer>&, const ModelProblem<D>&,  \
-                                            CoarseOperator);
+                                            CoarseOperator);                                       \
+    template UnknownLines smoother_lines(const Mesh<D>&, const Couplings&,                         \
+                                         const std::vector<NodeId>&);
 
 AMECO_INSTANTIATE(2)
 AMECO_INSTANTIATE(3)

@@ -45,8 +45,11 @@ template <int D>
                                          const SparseMatrix& fine_A, const SparseMatrix& coarse_A,
                                          const Vector& ratios, const ModelProblem<D>& problem);
 
-/// Lines of the unknowns, for the line smoother.
-[[nodiscard]] UnknownLines unknown_lines(const Lines& lines, const std::vector<NodeId>& unknowns);
+/// Lines of the unknowns, for the line smoother: without what goes on beyond their ends along
+/// weaker couplings. With that, its blocks diverge by themselves where columns are oblique.
+template <int D>
+[[nodiscard]] UnknownLines smoother_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                                          const std::vector<NodeId>& unknowns);
 
 /// Solves on one level to roundings: directly where that is cheap, else by conjugate gradients (or
 /// GMRES) with V(2,2). Refers to `equations`.

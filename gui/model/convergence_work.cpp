@@ -30,8 +30,8 @@ LevelEquations equations_of(const std::vector<CaseLevel>& branch, Monitor& monit
     LevelEquations equations =
         level_equations(meshes, transfers, ModelProblem<D>(), CoarseOperator::rediscretised);
     for (std::size_t k = 0; k < meshes.size(); ++k) {
-        equations.matrices.lines.push_back(unknown_lines(
-            smoother_lines(meshes[k], make_couplings(meshes[k])), equations.unknowns[k]));
+        equations.matrices.lines.push_back(
+            smoother_lines(meshes[k], make_couplings(meshes[k]), equations.unknowns[k]));
     }
     load = restricted(unit_load(meshes[0]), equations.unknowns[0]);
     return equations;

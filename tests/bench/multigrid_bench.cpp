@@ -184,8 +184,8 @@ void print_cycles(const Grids<D>& g, const ModelProblem<D>& problem, bool full) 
     for (const CoarseOperator kind : all_coarse_operators) {
         LevelEquations equations = level_equations(g.meshes, g.transfers, problem, kind);
         for (std::size_t k = 0; k < g.meshes.size(); ++k) {
-            equations.matrices.lines.push_back(unknown_lines(
-                smoother_lines(g.meshes[k], g.structures[k].couplings), equations.unknowns[k]));
+            equations.matrices.lines.push_back(
+                smoother_lines(g.meshes[k], g.structures[k].couplings, equations.unknowns[k]));
         }
         const Vector load = restricted(unit_load(g.meshes[0]), equations.unknowns[0]);
         for (const SmootherKind smoother : {SmootherKind::gauss_seidel, SmootherKind::jacobi,

@@ -66,6 +66,7 @@ private slots:
     void coarse_matrices_of_all_kinds_agree_on_nested_spaces();
     void full_coarsening_by_the_same_ratio_fails();
     void one_node_too_many_on_one_line_is_felt_and_found();
+    void smoothers_leave_out_what_continues_a_line();
 };
 
 void ConvergenceTest::two_grids_reach_the_theoretical_factor_in_layers_data() {
@@ -251,6 +252,28 @@ void ConvergenceTest::one_node_too_many_on_one_line_is_felt_and_found() {
     QCOMPARE(mode.worst[0].gap, 3);
     QVERIFY(mode.worst[0].findings.find("gap") != std::string::npos);
     QVERIFY(mode.carriers < 40);
+}
+
+void ConvergenceTest::smoothers_leave_out_what_continues_a_line() {
+    const auto unknowns_on_lines = [](const Mesh<3>& mesh) {
+        const auto unknowns = free_nodes(mesh, ModelProblem<3>());
+        const UnknownLines lines = smoother_lines(mesh, make_couplings(mesh), unknowns);
+        std::size_t sum = 0;
+        for (const std::vector<int>& line : lines) {
+            sum += line.size();
+        }
+        return sum;
+    };
+    const Mesh<3> layer = tall_layer("1e4", "1", "0");
+    QCOMPARE(unknowns_on_lines(layer), std::size_t{7 * 7 * 31}); // all that are not on the boundary
+    const auto wing = std::get<Mesh<3>>(make_case("onera-m6", {{"preset", "m6-8k"}}));
+    const auto on_lines = static_cast<std::size_t>(level_structure(wing).lines.node_count);
+    QVERIFY(unknowns_on_lines(wing) > on_lines / 2);
+    LineOptions strong;
+    strong.continuation = strong.dominance;
+    const auto on_strong = static_cast<std::size_t>(level_structure(wing, strong).lines.node_count);
+    QVERIFY(on_strong < on_lines);
+    QVERIFY(unknowns_on_lines(wing) <= on_strong);
 }
 
 QTEST_APPLESS_MAIN(ConvergenceTest)
