@@ -116,8 +116,8 @@ private:
         for (const ElementId e : mesh_.ball(v)) {
             if (!mesh_.is_ghost(e)) {
                 const Simplex<D>& s = mesh_.nodes(e);
-                const auto i = std::find(s.begin(), s.end(), v) - s.begin();
-                sum += stiffness(mesh_, s, static_cast<int>(i));
+                const auto corner = std::find(s.begin(), s.end(), v) - s.begin();
+                sum += stiffness(mesh_, s)[static_cast<std::size_t>(corner)];
             }
         }
         return sum;

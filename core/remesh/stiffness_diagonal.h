@@ -4,20 +4,26 @@
 #pragma once
 
 #include "core/mesh/barycentric.h"
+#include "core/metric/element_measures.h"
 #include "core/remesh/edit_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ameco {
 
-/// What an element adds to the Laplacian's a_vv at its corner `i` [L^(D-2)].
+/// What an element adds to the Laplacian's a_vv at each of its corners [L^(D-2)].
 template <int D>
-[[nodiscard]] double stiffness(const EditMesh<D>& mesh, const Simplex<D>& s, int i) {
+[[nodiscard]] std::array<double, D + 1> stiffness(const EditMesh<D>& mesh, const Simplex<D>& s) {
     constexpr double factorial = D == 2 ? 2 : 6;
     const auto x = corners_of(mesh, s);
-    return scaled_gradients(x)[static_cast<std::size_t>(i)].squaredNorm() /
-           (factorial * edge_determinant(x));
+    const auto n = scaled_gradients(x);
+    const double determinant = factorial * edge_determinant(x);
+    std::array<double, D + 1> out;
+    std::transform(n.begin(), n.end(), out.begin(),
+                   [&](const auto& gradient) { return gradient.squaredNorm() / determinant; });
+    return out;
 }
 
 /// What elements add to a_vv, summed at each of their nodes.
@@ -32,12 +38,9 @@ public:
     void clear() { parts_.clear(); }
 
     void add(const EditMesh<D>& mesh, const Simplex<D>& s) {
-        constexpr double factorial = D == 2 ? 2 : 6;
-        const auto x = corners_of(mesh, s);
-        const auto n = scaled_gradients(x);
-        const double determinant = factorial * edge_determinant(x);
-        for (int i = 0; i <= D; ++i) {
-            at(s[i]) += n[i].squaredNorm() / determinant;
+        const auto added = stiffness(mesh, s);
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            at(s[i]) += added[i];
         }
     }
 

@@ -161,7 +161,7 @@ private:
             return Verdict::low_quality;
         }
         Verdict verdict = test_star(mesh_, star_);
-        if (verdict == Verdict::accepted && !is_soft_enough()) {
+        if (verdict == Verdict::accepted && !stiffens_no_node()) {
             verdict = Verdict::stiff_element;
         }
         if (verdict == Verdict::accepted) {
@@ -179,7 +179,7 @@ private:
     }
 
     /// \post  the rules have looked at the cavity: most have no star that comes so far
-    bool is_soft_enough() {
+    bool stiffens_no_node() {
         if (!seen_) {
             look_at_cavity();
         }
