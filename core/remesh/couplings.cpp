@@ -4,22 +4,12 @@
 #include "core/base/parallel.h"
 #include "core/mesh/barycentric.h"
 #include "core/mesh/simplex.h"
+#include "core/metric/element_measures.h"
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
 namespace ameco {
 namespace {
-
-double determinant(const std::array<Vec<2>, 3>& x) {
-    const Vec<2> a = x[1] - x[0], b = x[2] - x[0];
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-double determinant(const std::array<Vec<3>, 4>& x) {
-    return (x[1] - x[0]).dot((x[2] - x[0]).cross(x[3] - x[0]));
-}
 
 /// Adds what element `e` couples `v` to its other nodes.
 template <int D>
@@ -29,7 +19,7 @@ void add_element(const Mesh<D>& mesh, ElementId e, NodeId v, std::span<const Nod
     const auto x = corners_of(mesh, s);
     const auto n = scaled_gradients(x);
     // grad(phi_i) = n_i / det, volume = det / D!.
-    const double scale = (D == 2 ? 0.5 : 1.0 / 6.0) / determinant(x);
+    const double scale = (D == 2 ? 0.5 : 1.0 / 6.0) / edge_determinant(x);
     const auto self = static_cast<int>(std::find(s.begin(), s.end(), v) - s.begin());
     for (int j = 0; j <= D; ++j) {
         if (j != self) {
