@@ -106,12 +106,12 @@ private:
             const double before = before_[after.node];
             const double least = in_.least_stiffness * in_.removed.fine_diagonal(after.node);
             return after.sum < before && after.sum < least &&
-                   diagonal(after.node) - before + after.sum < least;
+                   !reaches(after.node, least + before - after.sum);
         });
     }
 
-    /// a_vv of the mesh as it stands.
-    double diagonal(NodeId v) const {
+    /// Whether a_vv of the mesh as it stands comes up to a value.
+    bool reaches(NodeId v, double value) const {
         double sum = 0;
         for (const ElementId e : mesh_.ball(v)) {
             if (!mesh_.is_ghost(e)) {
@@ -119,8 +119,11 @@ private:
                 const auto corner = std::find(s.begin(), s.end(), v) - s.begin();
                 sum += stiffness(mesh_, s)[static_cast<std::size_t>(corner)];
             }
+            if (sum >= value) {
+                return true;
+            }
         }
-        return sum;
+        return false;
     }
 
     int lineless(const Simplex<D>& s) const {
