@@ -53,13 +53,6 @@ public:
         return known != parts_.end() ? known->sum : 0;
     }
 
-    /// Whether no node has more than a factor times what it has in another one of the same nodes.
-    [[nodiscard]] bool within(double factor, const StiffnessDiagonal& before) const {
-        return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-            return part.sum <= factor * before[part.node];
-        });
-    }
-
 private:
     double& at(NodeId v) {
         const auto known = std::find_if(parts_.begin(), parts_.end(),

@@ -38,7 +38,8 @@ public:
                   const IdVector<NodeId, Mat<D>>& target, const LengthSwapOptions& options,
                   const SurfaceRules& surface, const Patch& patch, VerdictCounts& verdicts)
         : mesh_(mesh), target_(target), options_(options), surface_(surface), patch_(patch),
-          verdicts_(verdicts), rules_(mesh, input, options.size_floor, patch.lane()) {}
+          lines_(input.lines), verdicts_(verdicts),
+          rules_(mesh, input, options.size_floor, patch.lane()) {}
 
     /// \return  false where the shell of the edge is not within the patch
     bool operator()(const Edge& edge) {
@@ -187,7 +188,11 @@ private:
         for (const EditElement<D>& e : star_.elements) {
             after_.add(mesh_, e.nodes);
         }
-        return after_.within(options_.stiffening, before_);
+        return std::all_of(after_.parts().begin(), after_.parts().end(), [&](const auto& part) {
+            const double factor =
+                lines_.on_line(part.node) ? options_.line_stiffening : options_.stiffening;
+            return part.sum <= factor * before_[part.node];
+        });
     }
 
     EditMesh<D>& mesh_;
@@ -195,6 +200,7 @@ private:
     const LengthSwapOptions& options_;
     const SurfaceRules& surface_;
     const Patch patch_;
+    const Lines& lines_;
     VerdictCounts& verdicts_;
     CoarseningRules<D> rules_;
     Cavity<D> cavity_;

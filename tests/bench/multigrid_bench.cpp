@@ -11,7 +11,7 @@
 /// two-grid cycles out. `skip=2` makes cycles of every second level only; `factor` is that of the
 /// sizes from level to level. The rules of the coarsening are changed by nodes, mean, slack,
 /// dominance, continuation, passes, reach, later-reach, coupling-bound, layer-bound,
-/// direction-bound, held and least-stiffness.
+/// direction-bound, held, stiffening, line-stiffening and least-stiffness.
 #include "core/base/stopwatch.h"
 #include "core/cases/cases.h"
 #include "core/coarsen/coarsen.h"
@@ -289,6 +289,8 @@ int main(int argc, char** argv) {
         {"continuation", &coarsening.lines.continuation},
         {"least-stiffness", &coarsening.least_stiffness},
         {"held", &coarsening.removal.interpolation.held},
+        {"stiffening", &coarsening.lengths.stiffening},
+        {"line-stiffening", &coarsening.lengths.line_stiffening},
         {"reach", &coarsening.removal.reach},
         {"later-reach", &coarsening.removal.later_reach},
         {"coupling-bound", &coarsening.removal.coupling_bound},

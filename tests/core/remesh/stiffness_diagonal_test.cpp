@@ -40,7 +40,6 @@ class StiffnessDiagonalTest : public QObject {
 private slots:
     void all_elements_together_have_the_matrix_s_diagonal();
     void is_nothing_beside_the_elements();
-    void compares_node_by_node();
 };
 
 void StiffnessDiagonalTest::all_elements_together_have_the_matrix_s_diagonal() {
@@ -59,16 +58,6 @@ void StiffnessDiagonalTest::is_nothing_beside_the_elements() {
     }
     one.clear();
     QCOMPARE(one[s[0]], 0.0);
-}
-
-void StiffnessDiagonalTest::compares_node_by_node() {
-    const Workbench<3> bench(make_cube<3>({.n = 2}));
-    const StiffnessDiagonal<3> once = sum_of_elements(bench);
-    StiffnessDiagonal<3> more = once;
-    QVERIFY(more.within(1, once));
-    more.add(bench.edit, bench.mesh.elements[ElementId(0)]);
-    QVERIFY(!more.within(1, once));
-    QVERIFY(more.within(2, once));
 }
 
 QTEST_APPLESS_MAIN(StiffnessDiagonalTest)

@@ -112,6 +112,26 @@ std::int64_t swap_and_verify(Workbench<D>& bench, const Lines& lines,
     return made;
 }
 
+/// By how much nodes got stiffer [-].
+struct Growth {
+    std::int64_t swaps = 0;
+    double largest = 0, largest_on_lines = 0;
+};
+
+Growth swap_and_compare(Workbench<3>& bench, const Lines& lines, const LengthSwapOptions& options) {
+    Growth growth;
+    const auto before = stiffness_diagonal(bench.edit);
+    growth.swaps = swap_and_verify(bench, lines, options);
+    const auto after = stiffness_diagonal(bench.edit);
+    for (const NodeId v : bench.edit.nodes()) {
+        if (!bench.edit.is_removed(v)) {
+            double& largest = lines.on_line(v) ? growth.largest_on_lines : growth.largest;
+            largest = std::max(largest, after[v] / before[v]);
+        }
+    }
+    return growth;
+}
+
 template <int D>
 void bring_displaced_cubes_into_band(int n, unsigned seed) {
     const Mesh<D> mesh = displaced_cube<D>(n, seed);
@@ -156,6 +176,7 @@ private slots:
     void edges_in_band_stay_whatever_the_quality();
     void no_element_falls_below_the_floor();
     void no_node_gets_stiffer_than_allowed();
+    void nodes_of_lines_have_a_bound_of_their_own();
     void excess_falls_in_displaced_boxes_and_all_else_holds_data();
     void excess_falls_in_displaced_boxes_and_all_else_holds();
     void no_elements_off_the_lines_of_a_layer_appear();
@@ -191,26 +212,40 @@ void SwapLengthsTest::no_element_falls_below_the_floor() {
 void SwapLengthsTest::no_node_gets_stiffer_than_allowed() {
     const Mesh<3> mesh = displaced_cube<3>(6, 3);
     const Lines lines = no_lines(mesh.points.size());
-    const auto largest_growth = [&](double stiffening, std::int64_t& made) {
+    const auto swapped = [&](double stiffening) {
         Workbench<3> bench(mesh, isotropic<3>(mesh.points.size(), 2.0 / 6));
         thin_out(bench, 400, 3);
-        double largest = 0;
-        const auto before = stiffness_diagonal(bench.edit);
-        made = swap_and_verify(bench, lines, {.stiffening = stiffening, .rounds = 1});
-        const auto after = stiffness_diagonal(bench.edit);
-        for (const NodeId v : bench.edit.nodes()) {
-            if (!bench.edit.is_removed(v)) {
-                largest = std::max(largest, after[v] / before[v]);
-            }
-        }
-        return largest;
+        return swap_and_compare(bench, lines, {.stiffening = stiffening, .rounds = 1});
     };
-    std::int64_t strict = 0, lax = 0;
+    const Growth strict = swapped(1), lax = swapped(1e9);
     // What swaps do not let grow in their cavities does not grow at all.
-    QVERIFY(largest_growth(1, strict) <= 1 + 1e-9);
-    QVERIFY(largest_growth(1e9, lax) > 1.5);
-    QCOMPARE_GT(strict, 0);
-    QCOMPARE_GT(lax, strict);
+    QVERIFY(strict.largest <= 1 + 1e-9);
+    QVERIFY(lax.largest > 1.5);
+    QCOMPARE_GT(strict.swaps, 0);
+    QCOMPARE_GT(lax.swaps, strict.swaps);
+}
+
+void SwapLengthsTest::nodes_of_lines_have_a_bound_of_their_own() {
+    const Mesh<3> mesh = make_layer<3>({.nx = 6,
+                                        .ny = 6,
+                                        .nz = 8,
+                                        .aspect_ratio = 4,
+                                        .growth = 1,
+                                        .jitter = 0.2,
+                                        .diagonals = Diagonals::random,
+                                        .seed = 3});
+    const auto swapped = [&](double stiffening, double line_stiffening) {
+        Workbench<3> bench(mesh);
+        const Lines lines = lines_of(bench);
+        thin_out(bench, 400, 3);
+        return swap_and_compare(
+            bench, lines,
+            {.stiffening = stiffening, .line_stiffening = line_stiffening, .rounds = 1});
+    };
+    const Growth strict = swapped(1e9, 1), lax = swapped(1, 1e9);
+    QVERIFY(strict.largest_on_lines <= 1 + 1e-9);
+    QCOMPARE_GT(strict.swaps, 0);
+    QVERIFY(lax.largest_on_lines > 1.2);
 }
 
 void SwapLengthsTest::excess_falls_in_displaced_boxes_and_all_else_holds_data() {
