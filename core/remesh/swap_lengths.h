@@ -15,8 +15,8 @@ struct LengthSwapOptions {
                                 ///< the worst they replace [-]
     double stiffening = 3; ///< what the elements of a swap add to the stiffness matrix's diagonal
                            ///< may grow by this factor at most, at no node by more [-]
-    double line_stiffening = 1.5; ///< the same at nodes of lines: what makes them stiff couples
-                                  ///< them to the side, and every node of a layer feels it [-]
+    double line_stiffening = 1.5;   ///< the same at nodes of lines: what makes them stiff couples
+                                    ///< them to the side, and every node of a layer feels it [-]
     double size_floor = 0.1;        ///< the size quality must stay above this or not fall [-]
     std::size_t largest_shell = 10; ///< elements around an edge that is swapped
     int rounds = 2;                 ///< over the edges; 0: none
