@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 namespace ameco {
 namespace {
@@ -56,11 +57,17 @@ void parallel_for(std::size_t n, std::size_t grain,
     std::atomic<bool> begun{false};
     std::atomic<std::size_t> done{0};
     begun.store(true, std::memory_order_release);
-    tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t piece) {
-        (void)begun.load(std::memory_order_acquire);
-        run(piece);
-        done.fetch_add(1, std::memory_order_release);
-    });
+    // TBB's own order leaves several pieces to one thread and begins at both ends; parts of a mesh
+    // are few and unequal.
+    std::atomic<std::size_t> next{0};
+    tbb::parallel_for(
+        std::size_t{0}, pieces,
+        [&](std::size_t) {
+            (void)begun.load(std::memory_order_acquire);
+            run(next.fetch_add(1, std::memory_order_relaxed));
+            done.fetch_add(1, std::memory_order_release);
+        },
+        tbb::simple_partitioner());
     (void)done.load(std::memory_order_acquire);
 }
 

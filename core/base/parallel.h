@@ -15,7 +15,8 @@ void set_thread_count(int threads);
 
 /// Calls `body(begin, end)` for consecutive pieces of [0, n). Pieces have `grain` items (the last
 /// one fewer) whatever the number of threads, so a body that writes only to its own items, or to a
-/// slot of its piece (begin / grain), gives the same result on any number of threads.
+/// slot of its piece (begin / grain), gives the same result on any number of threads. Pieces begin
+/// in order, each as soon as a thread is free: where they are unequal, the largest should be first.
 void parallel_for(std::size_t n, std::size_t grain,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

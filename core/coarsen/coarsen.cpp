@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 namespace ameco {
 namespace {
@@ -166,21 +167,30 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
 
     monitor.progress(0.02, "ordering nodes");
     data.couplings = make_couplings(fine.mesh);
-    data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
-    data.lines = find_lines(fine.mesh, data.couplings, data.front.key, options.lines);
+    // Paths of least cost cannot be shared by threads; what needs no order is made beside them.
+    std::optional<EditMesh<D>> mesh;
+    LineLinks links;
+    parallel_for(2, 1, [&](std::size_t task, std::size_t) {
+        if (task == 0) {
+            data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
+        } else {
+            mesh.emplace(fine.mesh, fine.geometry);
+            links = link_lines(fine.mesh, data.couplings, options.lines);
+        }
+    });
+    data.lines = number_lines(fine.mesh, links, data.front.key);
     data.partitions =
         make_partitions(fine.mesh, data.couplings.neighbours, data.lines, options.nodes_per_part);
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
-    EditMesh<D> mesh(fine.mesh, fine.geometry);
     report.seconds.order += watch.lap();
     stop_if_asked(monitor);
 
     const bool moved = options.nodes == CoarseNodes::moved;
     MonitorPart editing(monitor, 0.1, moved ? 0.7 : 0.85);
-    edit(mesh, data, options, report, editing);
+    edit(*mesh, data, options, report, editing);
 
-    auto compact = mesh.compact();
+    auto compact = mesh->compact();
     Level<D> coarse{
         std::move(compact.mesh), std::move(compact.classes), {}, std::move(compact.parent)};
     MonitorPart finishing(monitor, moved ? 0.7 : 0.85, 1);

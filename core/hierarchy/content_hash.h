@@ -11,16 +11,14 @@
 
 namespace ameco {
 
-/// FNV-1a, 64 bits. Finds accidents, not forgeries.
-/// \param seed  the hash of the bytes before these; the default begins anew
-[[nodiscard]] std::uint64_t content_hash(std::span<const std::byte> bytes,
-                                         std::uint64_t seed = 0xcbf29ce484222325u);
+/// XXH3, 64 bits, as `xxhsum -H3` prints it. Finds accidents, not forgeries.
+[[nodiscard]] std::uint64_t content_hash(std::span<const std::byte> bytes);
 
 /// The hash of a whole file.
 /// \throws FileError when it cannot be read
 [[nodiscard]] std::uint64_t content_hash_of_file(const std::filesystem::path& path);
 
-/// "fnv1a64:" and 16 hexadecimal digits.
+/// "xxh3:" and 16 hexadecimal digits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);
 
 /// The opposite. \throws InputError when the text is not such a hash

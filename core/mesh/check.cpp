@@ -9,6 +9,7 @@
 #include "core/mesh/simplex.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -103,11 +104,15 @@ void test_nodes(const Mesh<D>& mesh, Tallies& tallies) {
             tallies.add(Defect::not_finite, v.value());
         }
     }
-    for (const ElementId e : mesh.elements.ids()) {
-        if (has_repetition(mesh.elements[e])) {
-            tallies.add(Defect::repeated_node, e.value(), 0);
-        }
-    }
+    tally_in_parallel(mesh.elements.size(), tallies,
+                      [&](std::size_t begin, std::size_t end, Tallies& piece) {
+                          for (std::size_t i = begin; i < end; ++i) {
+                              const ElementId e(i);
+                              if (has_repetition(mesh.elements[e])) {
+                                  piece.add(Defect::repeated_node, e.value(), 0);
+                              }
+                          }
+                      });
     for (const FaceId f : mesh.faces.ids()) {
         if (has_repetition(mesh.faces[f])) {
             tallies.add(Defect::repeated_node, f.value(), 1);
@@ -132,14 +137,20 @@ void test_elements(const Mesh<D>& mesh, Tallies& tallies) {
                               piece.magnitude.add(v.magnitude);
                           }
                       });
-    std::vector<bool> used(mesh.points.size(), false);
-    for (const Simplex<D>& s : mesh.elements) {
-        for (const NodeId v : s) {
-            used[v.index()] = true;
+}
+
+template <int D>
+void test_for_orphans(const Mesh<D>& mesh, Tallies& tallies) {
+    std::vector<std::uint8_t> used(mesh.points.size(), 0);
+    parallel_for(mesh.elements.size(), items_per_piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (const NodeId v : mesh.elements[ElementId(i)]) {
+                std::atomic_ref(used[v.index()]).store(1, std::memory_order_relaxed);
+            }
         }
-    }
+    });
     for (const NodeId v : mesh.points.ids()) {
-        if (!used[v.index()]) {
+        if (used[v.index()] == 0) {
             tallies.add(Defect::orphan_node, v.value());
         }
     }
@@ -459,6 +470,7 @@ CheckReport check(const Mesh<D>& mesh) {
         return report;
     }
     test_elements(mesh, tallies);
+    test_for_orphans(mesh, tallies);
     std::vector<char> on_boundary;
     test_facets(mesh, tallies, on_boundary);
     test_boundary(mesh, on_boundary, tallies);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/mesh/references.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 namespace ameco {
 namespace {
@@ -24,15 +28,39 @@ void test(const Kind& kind, std::size_t source, std::int64_t target, BadReferenc
     }
 }
 
+constexpr std::size_t tuples_per_piece = 16384;
+
 template <class Tuples>
 void test_tuples(const Kind& kind, const Tuples& tuples, BadReferences& bad) {
-    std::size_t source = 0;
-    for (const auto& tuple : tuples) {
-        for (const NodeId v : tuple) {
-            test(kind, source, v.value(), bad);
+    std::vector<BadReferences> pieces(tuples.size() / tuples_per_piece + 1);
+    parallel_for(tuples.size(), tuples_per_piece, [&](std::size_t begin, std::size_t end) {
+        BadReferences& piece = pieces[begin / tuples_per_piece];
+        for (std::size_t source = begin; source < end; ++source) {
+            for (const NodeId v : tuples.begin()[static_cast<std::ptrdiff_t>(source)]) {
+                test(kind, source, v.value(), piece);
+            }
         }
-        ++source;
+    });
+    for (BadReferences& piece : pieces) {
+        if (bad.count == 0) {
+            bad.example = std::move(piece.example);
+        }
+        bad.count += piece.count;
     }
+}
+
+template <class Tuples, class Predicate>
+bool any_of(const Tuples& tuples, const Predicate& predicate) {
+    std::atomic<bool> found{false};
+    parallel_for(tuples.size(), tuples_per_piece, [&](std::size_t begin, std::size_t end) {
+        const auto at = [&](std::size_t i) {
+            return tuples.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        if (std::any_of(at(begin), at(end), predicate)) {
+            found.store(true, std::memory_order_relaxed);
+        }
+    });
+    return found.load(std::memory_order_relaxed);
 }
 
 void test_nodes(const Kind& kind, const std::vector<NodeId>& nodes, BadReferences& bad) {
@@ -77,8 +105,7 @@ bool is_computable(const Mesh<D>& mesh) {
     return find_bad_references(mesh).count == 0 &&
            std::all_of(mesh.points.begin(), mesh.points.end(),
                        [](const Vec<D>& x) { return x.allFinite(); }) &&
-           std::none_of(mesh.elements.begin(), mesh.elements.end(), repeats) &&
-           std::none_of(mesh.faces.begin(), mesh.faces.end(), repeats);
+           !any_of(mesh.elements, repeats) && !any_of(mesh.faces, repeats);
 }
 
 template BadReferences find_bad_references(const Mesh<2>&);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/metric/aspect_ratio.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,16 +12,20 @@ namespace {
 template <int D>
 std::vector<double> aspect_ratios(const MetricField<D>& field) {
     std::vector<double> ratios(field.size());
-    std::transform(field.begin(), field.end(), ratios.begin(),
-                   [](const Metric<D>& m) { return aspect_ratio<D>(m); });
+    parallel_for(field.size(), 16384, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            ratios[i] = aspect_ratio<D>(field[NodeId(i)]);
+        }
+    });
     return ratios;
 }
 
-/// The smallest of the sorted values that at most a share 1 - p of them is above.
-double quantile(const std::vector<double>& sorted, double p) {
-    const double rank = std::ceil(p * static_cast<double>(sorted.size()));
-    const auto n = static_cast<std::size_t>(std::max(1.0, rank));
-    return sorted[n - 1];
+/// The smallest of the values that at most a share 1 - p of them is above. Changes their order.
+double quantile(std::vector<double>& values, double p) {
+    const double rank = std::ceil(p * static_cast<double>(values.size()));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max(1.0, rank)) - 1;
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
 }
 
 } // namespace
@@ -75,15 +81,15 @@ AspectRatioSummary summarise_aspect_ratios(const MetricField<D>& field) {
         return summary;
     }
     std::vector<double> ratios = aspect_ratios(field);
-    std::sort(ratios.begin(), ratios.end());
-    const auto n = static_cast<double>(ratios.size());
-    const auto below_5 = std::lower_bound(ratios.begin(), ratios.end(), 5.0) - ratios.begin();
-    const auto above_150 = ratios.end() - std::upper_bound(ratios.begin(), ratios.end(), 150.0);
-    summary.max = ratios.back();
+    const auto share = [&](const auto& is_in) {
+        return static_cast<double>(std::count_if(ratios.begin(), ratios.end(), is_in)) /
+               static_cast<double>(ratios.size());
+    };
+    summary.max = *std::max_element(ratios.begin(), ratios.end());
     summary.top_5_percent = quantile(ratios, 0.95);
     summary.median = quantile(ratios, 0.5);
-    summary.share_isotropic = static_cast<double>(below_5) / n;
-    summary.share_above_150 = static_cast<double>(above_150) / n;
+    summary.share_isotropic = share([](double ratio) { return ratio < 5; });
+    summary.share_above_150 = share([](double ratio) { return ratio > 150; });
     return summary;
 }
 

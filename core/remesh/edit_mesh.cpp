@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/edit_mesh.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -163,20 +165,21 @@ void EditMesh<D>::put(ElementId slot, const EditElement<D>& fresh, Lane& lane) {
 
 template <int D>
 void EditMesh<D>::open_lanes(std::size_t count) {
-    std::vector<ElementId> free;
+    all_free_.clear();
     for (Lane& lane : lanes_) {
-        free.insert(free.end(), lane.free.begin(), lane.free.end());
+        all_free_.insert(all_free_.end(), lane.free.begin(), lane.free.end());
         lane.free.clear();
     }
     while (lanes_.size() < count) {
         lanes_.emplace_back().memory = std::make_unique<std::pmr::monotonic_buffer_resource>();
     }
     open_lanes_ = count;
-    for (std::size_t i = 0; i < count; ++i) {
-        lanes_[i].free.assign(free.begin() + static_cast<std::ptrdiff_t>(free.size() * i / count),
-                              free.begin() +
-                                  static_cast<std::ptrdiff_t>(free.size() * (i + 1) / count));
-    }
+    const auto share = [&](std::size_t i) {
+        return all_free_.begin() + static_cast<std::ptrdiff_t>(all_free_.size() * i / count);
+    };
+    parallel_for(count, 1, [&](std::size_t i, std::size_t next) {
+        lanes_[i].free.assign(share(i), share(next));
+    });
 }
 
 template <int D>

@@ -156,7 +156,8 @@ private:
     IdVector<NodeId, int> labels_;
     IdVector<ElementId, EditElement<D>> elements_;
     std::vector<Lane> lanes_;
-    std::size_t open_lanes_ = 0; ///< the first ones
+    std::size_t open_lanes_ = 0;      ///< the first ones
+    std::vector<ElementId> all_free_; ///< scratch of `open_lanes`
     IdVector<NodeId, Ball> ball_;
     std::vector<ElementId> pool_;
 

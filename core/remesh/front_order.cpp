@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/front_order.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,13 +54,33 @@ std::vector<NodeId> wall_nodes(const Mesh<D>& mesh, const MetricField<D>& natura
     return seeds;
 }
 
+/// Of the edges of each node, in the order of its neighbours.
+template <int D>
+std::vector<double> edge_costs(const Mesh<D>& mesh, const MetricField<D>& natural,
+                               const NodeNodes& neighbours) {
+    std::vector<double> costs(neighbours.values.size());
+    parallel_for(mesh.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const NodeId v(i);
+            auto k = static_cast<std::size_t>(neighbours.start[i]);
+            for (const NodeId w : neighbours[v]) {
+                const Vec<D> e = mesh.points[w] - mesh.points[v];
+                costs[k++] = std::min(cost(natural[v], e), cost(natural[w], e));
+            }
+        }
+    });
+    return costs;
+}
+
 } // namespace
 
 template <int D>
 FrontOrder front_order(const Mesh<D>& mesh, const MetricField<D>& natural,
                        const NodeNodes& neighbours, const FrontOptions& options) {
+    const std::vector<double> costs = edge_costs(mesh, natural, neighbours);
     FrontOrder out;
     out.key.assign(mesh.points.size(), std::numeric_limits<double>::infinity());
+    out.order.reserve(mesh.points.size());
     using Entry = std::pair<double, NodeId>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     for (const NodeId v : wall_nodes(mesh, natural, options)) {
@@ -71,25 +93,28 @@ FrontOrder front_order(const Mesh<D>& mesh, const MetricField<D>& natural,
         if (key > out.key[v]) {
             continue;
         }
+        out.order.push_back(v);
+        auto k = static_cast<std::size_t>(neighbours.start[v.index()]);
         for (const NodeId w : neighbours[v]) {
-            if (out.key[w] <= key) {
-                continue;
-            }
-            const Vec<D> e = mesh.points[w] - mesh.points[v];
-            const double reached = key + std::min(cost(natural[v], e), cost(natural[w], e));
+            const double reached = key + costs[k++];
             if (reached < out.key[w]) {
                 out.key[w] = reached;
                 queue.emplace(reached, w);
             }
         }
     }
-    out.order.resize(mesh.points.size());
     for (const NodeId v : mesh.points.ids()) {
-        out.order[v.index()] = v;
+        if (std::isinf(out.key[v])) {
+            out.order.push_back(v);
+        }
     }
-    std::sort(out.order.begin(), out.order.end(), [&](NodeId a, NodeId b) {
+    // Nodes leave the queue in this order, but for those that an edge of cost 0 reaches.
+    const auto comes_first = [&](NodeId a, NodeId b) {
         return std::pair(out.key[a], a) < std::pair(out.key[b], b);
-    });
+    };
+    if (!std::is_sorted(out.order.begin(), out.order.end(), comes_first)) {
+        std::sort(out.order.begin(), out.order.end(), comes_first);
+    }
     return out;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/remesh/lines.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -8,7 +10,7 @@
 namespace ameco {
 namespace {
 
-/// The nodes before and after one on a chain, in any order, the valid ones first.
+/// Of one node; the valid ones first.
 using Links = std::array<NodeId, 2>;
 
 /// Whether the first of two strongest neighbours is much farther than a third one: in the long
@@ -67,7 +69,7 @@ bool wants(const Links& links, NodeId v) {
 }
 
 /// Follows the links from one end of a chain.
-std::vector<NodeId> walk(const IdVector<NodeId, Links>& links, NodeId end) {
+std::vector<NodeId> walk(const LineLinks& links, NodeId end) {
     std::vector<NodeId> chain{end};
     NodeId before;
     NodeId at = end;
@@ -88,7 +90,7 @@ bool is_end(const Links& links) {
 }
 
 /// The other end of the chain of each end; itself for a node without links.
-IdVector<NodeId, NodeId> other_ends(const IdVector<NodeId, Links>& links) {
+IdVector<NodeId, NodeId> other_ends(const LineLinks& links) {
     IdVector<NodeId, NodeId> other(links.size());
     for (const NodeId v : links.ids()) {
         if (!links[v][0].valid()) {
@@ -105,7 +107,7 @@ IdVector<NodeId, NodeId> other_ends(const IdVector<NodeId, Links>& links) {
 /// Lengthens chains from their ends along couplings that dominate less.
 template <int D>
 void continue_chains(const Mesh<D>& mesh, const Couplings& couplings, const LineOptions& options,
-                     IdVector<NodeId, Links>& links) {
+                     LineLinks& links) {
     const auto wanted = [&](NodeId v) {
         return wanted_links(mesh, couplings, v, options.continuation, options);
     };
@@ -174,13 +176,15 @@ void Lines::remove(NodeId v) {
 }
 
 template <int D>
-Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
-                 const IdVector<NodeId, double>& key, const LineOptions& options) {
+LineLinks link_lines(const Mesh<D>& mesh, const Couplings& couplings, const LineOptions& options) {
     const std::size_t n = mesh.points.size();
-    IdVector<NodeId, Links> wanted(n), links(n);
-    for (const NodeId v : mesh.points.ids()) {
-        wanted[v] = wanted_links(mesh, couplings, v, options.dominance, options);
-    }
+    LineLinks wanted(n), links(n);
+    parallel_for(n, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const NodeId v(i);
+            wanted[v] = wanted_links(mesh, couplings, v, options.dominance, options);
+        }
+    });
     for (const NodeId v : mesh.points.ids()) {
         std::size_t k = 0;
         for (const NodeId w : wanted[v]) {
@@ -190,6 +194,13 @@ Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
         }
     }
     continue_chains(mesh, couplings, options, links);
+    return links;
+}
+
+template <int D>
+Lines number_lines(const Mesh<D>& mesh, const LineLinks& links,
+                   const IdVector<NodeId, double>& key) {
+    const std::size_t n = mesh.points.size();
     Lines lines;
     lines.previous.resize(n);
     lines.next.resize(n);
@@ -214,9 +225,21 @@ Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
     return lines;
 }
 
-template Lines find_lines(const Mesh<2>&, const Couplings&, const IdVector<NodeId, double>&,
-                          const LineOptions&);
-template Lines find_lines(const Mesh<3>&, const Couplings&, const IdVector<NodeId, double>&,
-                          const LineOptions&);
+template <int D>
+Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                 const IdVector<NodeId, double>& key, const LineOptions& options) {
+    return number_lines(mesh, link_lines(mesh, couplings, options), key);
+}
+
+#define AMECO_INSTANTIATE(D)                                                                       \
+    template LineLinks link_lines(const Mesh<D>&, const Couplings&, const LineOptions&);           \
+    template Lines number_lines(const Mesh<D>&, const LineLinks&,                                  \
+                                const IdVector<NodeId, double>&);                                  \
+    template Lines find_lines(const Mesh<D>&, const Couplings&, const IdVector<NodeId, double>&,   \
+                              const LineOptions&);
+
+AMECO_INSTANTIATE(2)
+AMECO_INSTANTIATE(3)
+#undef AMECO_INSTANTIATE
 
 } // namespace ameco

@@ -6,6 +6,7 @@
 #include "core/mesh/mesh.h"
 #include "core/remesh/couplings.h"
 
+#include <array>
 #include <cstdint>
 
 namespace ameco {
@@ -42,16 +43,29 @@ struct LineOptions {
     double largest_cosine = -0.3; ///< of the angle between the two strong edges at a node
 };
 
-/// Finds the lines of a mesh. A node is inside a line if its two strongest couplings point in
-/// opposite directions and exceed the third `dominance` times, an end if only its strongest exceeds
-/// the second; links must be mutual. Where a third neighbour is much nearer than the strongest one
-/// there is no line: lines follow the short edges.
+/// The nodes before and after each node on a chain, in any order; none where there is no such.
+using LineLinks = IdVector<NodeId, std::array<NodeId, 2>>;
+
+/// Finds the lines of a mesh, without a direction. A node is inside a line if its two strongest
+/// couplings point in opposite directions and exceed the third `dominance` times, an end if only
+/// its strongest exceeds the second; links must be mutual. Where a third neighbour is much nearer
+/// than the strongest one there is no line: lines follow the short edges.
 ///
 /// From its ends a line goes on along weaker couplings, `continuation` instead of `dominance`, and
 /// may join another one: where layers are bent or oblique, columns side by side would end in
 /// different layers, and then lose the nodes of different ones.
+template <int D>
+[[nodiscard]] LineLinks link_lines(const Mesh<D>& mesh, const Couplings& couplings,
+                                   const LineOptions& options = {});
+
+/// Numbers the nodes of lines.
 /// \param key  distance from the walls [-]: each line is numbered from the end where it is smaller;
 ///             lines between two walls from the lower end along the axis they follow most
+template <int D>
+[[nodiscard]] Lines number_lines(const Mesh<D>& mesh, const LineLinks& links,
+                                 const IdVector<NodeId, double>& key);
+
+/// Finds the lines of a mesh and numbers their nodes: `link_lines`, `number_lines`.
 template <int D>
 [[nodiscard]] Lines find_lines(const Mesh<D>& mesh, const Couplings& couplings,
                                const IdVector<NodeId, double>& key,

@@ -3,7 +3,10 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
+#include <span>
 
 namespace ameco {
 namespace {
@@ -33,13 +36,45 @@ std::vector<Column<D>> columns_of(const IdVector<NodeId, Vec<D>>& points, const 
     return columns;
 }
 
-/// A piece of the mesh, sorted along an axis, with the place of its cut.
+/// A piece of the mesh, its lower side along an axis first.
 template <int D>
 struct Cut {
     std::vector<Column<D>> columns;
     std::size_t at = 0;     ///< the first column of the upper side
     std::int64_t edges = 0; ///< between the two sides, at nodes that count
 };
+
+template <int D>
+std::int64_t weight_of(std::span<const Column<D>> columns) {
+    return std::accumulate(columns.begin(), columns.end(), std::int64_t{0},
+                           [](std::int64_t sum, const Column<D>& c) { return sum + c.weight; });
+}
+
+/// Puts the columns first that come first along an axis, as few as have half of the weight. In
+/// linear time: selection, not sorting.
+/// \return  how many these are
+template <int D>
+std::size_t halve(int axis, std::span<Column<D>> columns) {
+    const auto comes_first = [axis](const Column<D>& a, const Column<D>& b) {
+        return std::pair(a.place[axis], a.first) < std::pair(b.place[axis], b.first);
+    };
+    const std::int64_t total = weight_of<D>(columns);
+    std::size_t begin = 0, end = columns.size(); // the count is in [begin, end]
+    std::int64_t below = 0;                      // weight of the first `begin`
+    while (begin < end) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        std::nth_element(columns.begin() + begin, columns.begin() + middle, columns.begin() + end,
+                         comes_first);
+        const std::int64_t lower = weight_of<D>(columns.subspan(begin, middle - begin));
+        if (2 * (below + lower) >= total) {
+            end = middle;
+        } else {
+            below += lower + columns[middle].weight;
+            begin = middle + 1;
+        }
+    }
+    return begin;
+}
 
 /// What the ways to cut a piece are compared on.
 template <int D>
@@ -61,17 +96,7 @@ struct Bisection {
 
     [[nodiscard]] Cut<D> across(int axis, const std::vector<Column<D>>& columns) {
         Cut<D> cut{columns};
-        std::sort(cut.columns.begin(), cut.columns.end(),
-                  [&](const Column<D>& a, const Column<D>& b) {
-                      return std::pair(a.place[axis], a.first) < std::pair(b.place[axis], b.first);
-                  });
-        std::int64_t total = 0, below = 0;
-        for (const Column<D>& c : columns) {
-            total += c.weight;
-        }
-        while (2 * below < total) {
-            below += cut.columns[cut.at++].weight;
-        }
+        cut.at = halve<D>(axis, cut.columns);
         auto& side = upper[static_cast<std::size_t>(axis)];
         const auto all = std::span<const Column<D>>(cut.columns);
         visit_nodes(all.first(cut.at), [&](NodeId v) { side[v] = 0; });

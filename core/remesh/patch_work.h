@@ -64,6 +64,17 @@ void work_through(const std::vector<Item>& items, std::vector<std::uint32_t>& po
     positions.resize(put_off);
 }
 
+/// So that threads end at about the same time.
+inline std::vector<std::size_t>
+largest_first(const std::vector<std::vector<std::uint32_t>>& lists) {
+    std::vector<std::size_t> order(lists.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return lists[a].size() > lists[b].size();
+    });
+    return order;
+}
+
 /// Goes through items in order, part by part: first on the patches of each partition in turn, many
 /// at a time, then on the whole mesh with what no patch held. Ends early when asked to stop.
 ///
@@ -90,7 +101,9 @@ void work_in_patches(const std::vector<Item>& items, std::span<const Partition> 
             (part < 0 ? between : lists[static_cast<std::size_t>(part)]).push_back(i);
         }
         work.open(partition.parts);
-        parallel_for(partition.parts, 1, [&](std::size_t part, std::size_t) {
+        const std::vector<std::size_t> order = largest_first(lists);
+        parallel_for(partition.parts, 1, [&](std::size_t i, std::size_t) {
+            const std::size_t part = order[i];
             VerdictCounts own;
             work_through(items, lists[part], work.worker(Patch(partition, part), own), progress);
             counts[part] = own;

@@ -229,6 +229,11 @@ struct LengthRound {
     }
 };
 
+void sort_unique(std::vector<Edge>& edges) {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
 /// Edges out of band between nodes that have changed since a time, ascending.
 template <int D>
 std::vector<Edge> edges_to_try(const EditMesh<D>& mesh, const IdVector<NodeId, Mat<D>>& target,
@@ -250,13 +255,13 @@ std::vector<Edge> edges_to_try(const EditMesh<D>& mesh, const IdVector<NodeId, M
                 }
             }
         }
+        sort_unique(piece); // most edges have all their elements in one piece
     });
     std::vector<Edge> edges;
     for (const std::vector<Edge>& piece : pieces) {
         edges.insert(edges.end(), piece.begin(), piece.end());
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_unique(edges);
     return edges;
 }
 

@@ -5,10 +5,13 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <set>
+#include <thread>
 #include <vector>
 
 using namespace ameco;
@@ -21,6 +24,7 @@ private slots:
     void visits_every_item_once_data();
     void visits_every_item_once();
     void cuts_the_same_pieces_for_any_number_of_threads();
+    void begins_pieces_in_order();
     void gives_the_same_sum_for_any_number_of_threads();
     void hands_exceptions_to_the_caller();
     void remembers_the_number_of_threads();
@@ -73,6 +77,19 @@ void ParallelTest::cuts_the_same_pieces_for_any_number_of_threads() {
     QVERIFY(one.contains({100, 103}));
     QVERIFY(pieces(2) == one);
     QVERIFY(pieces(8) == one);
+}
+
+void ParallelTest::begins_pieces_in_order() {
+    set_thread_count(3);
+    std::mutex mutex;
+    std::map<std::thread::id, std::vector<std::size_t>> begun;
+    parallel_for(5000, 1, [&](std::size_t begin, std::size_t) {
+        const std::lock_guard lock(mutex);
+        begun[std::this_thread::get_id()].push_back(begin);
+    });
+    for (const auto& [thread, pieces] : begun) {
+        QVERIFY(std::is_sorted(pieces.begin(), pieces.end()));
+    }
 }
 
 void ParallelTest::gives_the_same_sum_for_any_number_of_threads() {

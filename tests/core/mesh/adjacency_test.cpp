@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <set>
+#include <tuple>
 
 using namespace ameco;
 
@@ -94,14 +95,19 @@ void AdjacencyTest::gives_unused_nodes_empty_lists() {
 }
 
 void AdjacencyTest::does_not_depend_on_the_number_of_threads() {
-    const Mesh<2> mesh = shapes::shuffled(shapes::square(150), 3); // several pieces of nodes
-    set_thread_count(1);
-    const NodeNodes one = node_neighbours(mesh);
-    set_thread_count(2);
-    const NodeNodes two = node_neighbours(mesh);
-    set_thread_count(0);
-    QVERIFY(one.start == two.start);
-    QVERIFY(one.values == two.values);
+    const Mesh<2> mesh = shapes::shuffled(shapes::square(320), 3);
+    QVERIFY(mesh.elements.size() >= 3 * 65536); // as many blocks of elements, many pieces of nodes
+    const auto lists = [&](int threads) {
+        set_thread_count(threads);
+        NodeElements ball = node_elements(mesh);
+        NodeNodes neighbours = node_neighbours(mesh, ball);
+        set_thread_count(0);
+        return std::tuple(std::move(ball.start), std::move(ball.values),
+                          std::move(neighbours.start), std::move(neighbours.values));
+    };
+    const auto one = lists(1);
+    QVERIFY(one == lists(2));
+    QVERIFY(one == lists(3));
 }
 
 QTEST_APPLESS_MAIN(AdjacencyTest)
