@@ -10,6 +10,7 @@
 #include "core/remesh/original_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -43,10 +44,13 @@ struct LevelData {
 
 template <int D>
 void prepare_metrics(const Level<D>& fine, const MetricField<D>& target, LevelData<D>& data) {
-    data.natural = length_factors(fine.natural);
-    data.target = length_factors(target);
-    data.sizes = make_size_field(target);
-    data.root = make_root_field(target);
+    // Each of them takes new memory, which the operating system clears for one thread at a time.
+    const std::array<std::function<void()>, 4> tasks{
+        [&] { data.natural = length_factors(fine.natural); },
+        [&] { data.target = length_factors(target); },
+        [&] { data.sizes = make_size_field(target); },
+        [&] { data.root = make_root_field(target); }};
+    parallel_for(tasks.size(), 1, [&](std::size_t task, std::size_t) { tasks[task](); });
     data.short_size.resize(target.size());
     for (const NodeId v : fine.mesh.points.ids()) {
         data.short_size[v] = static_cast<float>(fine.natural[v].sizes[0]);
@@ -69,6 +73,31 @@ std::vector<Partition> make_partitions(const Mesh<D>& mesh, const NodeNodes& nei
                        std::bit_and<std::uint8_t>());
     }
     return partitions;
+}
+
+/// Makes couplings, front order, lines and partitions.
+/// \return  the mesh to edit
+template <int D>
+std::optional<EditMesh<D>> order_nodes(const Level<D>& fine, const CoarsenOptions& options,
+                                       LevelData<D>& data) {
+    const NodeElements ball = node_elements(fine.mesh);
+    data.couplings.neighbours = node_neighbours(fine.mesh, ball);
+    // Paths of least cost cannot be shared by threads; what needs no order is made beside them.
+    std::optional<EditMesh<D>> mesh;
+    LineLinks links;
+    parallel_for(2, 1, [&](std::size_t task, std::size_t) {
+        if (task == 0) {
+            data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
+        } else {
+            measure_couplings(fine.mesh, ball, data.couplings);
+            mesh.emplace(fine.mesh, fine.geometry);
+            links = link_lines(fine.mesh, data.couplings, options.lines);
+        }
+    });
+    data.lines = number_lines(fine.mesh, links, data.front.key);
+    data.partitions =
+        make_partitions(fine.mesh, data.couplings.neighbours, data.lines, options.nodes_per_part);
+    return mesh;
 }
 
 /// Removal and swaps, in turns.
@@ -166,21 +195,7 @@ Level<D> coarsen_once(const Level<D>& fine, const CoarsenOptions& options,
     stop_if_asked(monitor);
 
     monitor.progress(0.02, "ordering nodes");
-    data.couplings = make_couplings(fine.mesh);
-    // Paths of least cost cannot be shared by threads; what needs no order is made beside them.
-    std::optional<EditMesh<D>> mesh;
-    LineLinks links;
-    parallel_for(2, 1, [&](std::size_t task, std::size_t) {
-        if (task == 0) {
-            data.front = front_order(fine.mesh, fine.natural, data.couplings.neighbours);
-        } else {
-            mesh.emplace(fine.mesh, fine.geometry);
-            links = link_lines(fine.mesh, data.couplings, options.lines);
-        }
-    });
-    data.lines = number_lines(fine.mesh, links, data.front.key);
-    data.partitions =
-        make_partitions(fine.mesh, data.couplings.neighbours, data.lines, options.nodes_per_part);
+    std::optional<EditMesh<D>> mesh = order_nodes(fine, options, data);
     report.lines = data.lines.count;
     report.line_nodes = data.lines.node_count;
     report.seconds.order += watch.lap();

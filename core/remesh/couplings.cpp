@@ -42,6 +42,12 @@ Couplings make_couplings(const Mesh<D>& mesh) {
     Couplings out;
     const NodeElements ball = node_elements(mesh);
     out.neighbours = node_neighbours(mesh, ball);
+    measure_couplings(mesh, ball, out);
+    return out;
+}
+
+template <int D>
+void measure_couplings(const Mesh<D>& mesh, const NodeElements& ball, Couplings& out) {
     out.values.resize(out.neighbours.values.size());
     out.diagonal.assign(mesh.points.size(), 0);
     parallel_for(mesh.points.size(), 2048, [&](std::size_t begin, std::size_t end) {
@@ -50,7 +56,7 @@ Couplings make_couplings(const Mesh<D>& mesh) {
             const NodeId v(i);
             const auto neighbours = std::as_const(out.neighbours)[v];
             sums.assign(neighbours.size(), 0);
-            for (const ElementId e : std::as_const(ball)[v]) {
+            for (const ElementId e : ball[v]) {
                 add_element(mesh, e, v, neighbours, sums);
             }
             double total = 0;
@@ -62,10 +68,11 @@ Couplings make_couplings(const Mesh<D>& mesh) {
             out.diagonal[v] = static_cast<float>(total);
         }
     });
-    return out;
 }
 
 template Couplings make_couplings(const Mesh<2>&);
 template Couplings make_couplings(const Mesh<3>&);
+template void measure_couplings(const Mesh<2>&, const NodeElements&, Couplings&);
+template void measure_couplings(const Mesh<3>&, const NodeElements&, Couplings&);
 
 } // namespace ameco

@@ -26,4 +26,9 @@ struct Couplings {
 template <int D>
 [[nodiscard]] Couplings make_couplings(const Mesh<D>& mesh);
 
+/// Gives couplings that know their neighbours their values.
+/// \param ball  `node_elements` of the mesh
+template <int D>
+void measure_couplings(const Mesh<D>& mesh, const NodeElements& ball, Couplings& couplings);
+
 } // namespace ameco
