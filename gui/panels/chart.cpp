@@ -192,7 +192,9 @@ private:
                     continue;
                 }
                 const QRectF box(x, y, bar * (bar > 4 ? 0.9 : 1), drawing_.plot.bottom() - y);
-                s.hollow ? rectangle(box.adjusted(0.5, 0.5, -0.5, 0), {}, s.colour, 1.2)
+                // An outline lies half a pixel inside, but not below the axis.
+                const double inside = std::min(0.5, box.height());
+                s.hollow ? rectangle(box.adjusted(0.5, inside, -0.5, 0), {}, s.colour, 1.2)
                          : rectangle(box, s.colour);
             }
         }

@@ -15,6 +15,7 @@ class ReferencesTest : public QObject {
 private slots:
     void finds_nothing_in_good_meshes();
     void counts_all_and_names_the_first();
+    void names_the_first_of_many_elements();
     void takes_lines_for_faces_in_2d();
     void sees_repetitions();
     void tells_what_can_be_computed();
@@ -32,6 +33,21 @@ void ReferencesTest::counts_all_and_names_the_first() {
     const BadReferences bad = find_bad_references(mesh);
     QCOMPARE(bad.count, 4);
     QCOMPARE(bad.example, std::string("element 1 refers to node -1, but there are 5"));
+}
+
+void ReferencesTest::names_the_first_of_many_elements() {
+    Mesh<2> mesh = shapes::square(160);
+    QVERIFY(mesh.elements.size() > 3 * 16384); // pieces that threads share
+    for (const int e : {50000, 20000, 20001}) {
+        mesh.elements[ElementId(e)][1] = NodeId(-1);
+    }
+    const BadReferences bad = find_bad_references(mesh);
+    QCOMPARE(bad.count, 3);
+    QVERIFY(bad.example.starts_with("element 20000 refers to node -1"));
+    QVERIFY(!is_computable(mesh));
+    mesh = shapes::square(160);
+    mesh.elements[ElementId(50000)][1] = mesh.elements[ElementId(50000)][0];
+    QVERIFY(!is_computable(mesh));
 }
 
 void ReferencesTest::takes_lines_for_faces_in_2d() {

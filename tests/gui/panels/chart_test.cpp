@@ -52,6 +52,7 @@ private slots:
     void a_click_selects_a_class_and_a_drag_several();
     void classes_are_selected_with_the_keyboard();
     void writes_pictures_and_tables();
+    void bars_of_next_to_nothing_stay_above_the_axis();
     void says_why_a_file_cannot_be_written();
 };
 
@@ -164,6 +165,26 @@ void ChartTest::writes_pictures_and_tables() {
     QCOMPARE(content(folder.filePath("a.csv")),
              QByteArray("from,to,\"level 0\",\"level 1\"\n\"1\",\"2\",100,50\n\"2\",\"4\",40,20\n"
                         "\"4\",\"8\",40,20\n\"8\",\"16\",20,10\n"));
+}
+
+void ChartTest::bars_of_next_to_nothing_stay_above_the_axis() {
+    const QTemporaryDir folder;
+    ChartPanel panel("test");
+    panel.resize(600, 300);
+    Chart chart = two_levels();
+    chart.series[1].values = {1, 1, 1, 1e6};
+    chart.series[1].hollow = true;
+    panel.setChart(chart);
+    panel.exportTo(folder.filePath("a.svg"));
+    QXmlStreamReader xml(content(folder.filePath("a.svg")));
+    int outlines = 0;
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == u"rect") {
+            QVERIFY(!xml.attributes().value("height").startsWith(u'-'));
+            outlines += xml.attributes().value("stroke") == u"#d95f02" ? 1 : 0;
+        }
+    }
+    QVERIFY(outlines >= 4);
 }
 
 void ChartTest::says_why_a_file_cannot_be_written() {
